@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Protocol.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ostream>
+#include <type_traits>
+
+namespace carving
+{
+namespace
+{
+
+// Bump the last digit whenever the layout changes: host and helper must be of one build.
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '1' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '1' };
+
+class Writer
+{
+public:
+  Writer(std::ostream& out, const char (&magic)[8])
+    : Out(out)
+  {
+    this->Out.write(magic, sizeof(magic));
+  }
+
+  template <class T>
+  void Value(const T& value)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "raw bytes are written");
+    this->Out.write(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+
+  template <class Container>
+  void Array(const Container& values)
+  {
+    static_assert(
+      std::is_trivially_copyable<typename Container::value_type>::value, "raw bytes are written");
+    this->Value(static_cast<std::uint64_t>(values.size()));
+    this->Out.write(reinterpret_cast<const char*>(values.data()),
+      static_cast<std::streamsize>(values.size() * sizeof(typename Container::value_type)));
+  }
+
+private:
+  std::ostream& Out;
+};
+
+/** Reads nothing past the end: once it has failed, everything it reads is empty. */
+class Reader
+{
+public:
+  Reader(const char* data, std::size_t size)
+    : At(data)
+    , Left(size)
+  {
+  }
+
+  bool Magic(const char (&magic)[8])
+  {
+    char found[8] = {};
+    this->Value(found);
+    return this->Good && std::memcmp(found, magic, sizeof(found)) == 0;
+  }
+
+  template <class T>
+  void Value(T& value)
+  {
+    if (this->Take(sizeof(T)))
+    {
+      std::memcpy(&value, this->At - sizeof(T), sizeof(T));
+    }
+  }
+
+  template <class Container>
+  void Array(Container& values)
+  {
+    using T = typename Container::value_type;
+    std::uint64_t count = 0;
+    this->Value(count);
+    values.clear();
+    if (count <= this->Left / sizeof(T) && this->Take(count * sizeof(T)) && count > 0)
+    {
+      values.resize(count);
+      std::memcpy(&values[0], this->At - count * sizeof(T), count * sizeof(T));
+    }
+    else if (count > 0)
+    {
+      this->Good = false;
+    }
+  }
+
+  /** Everything was there and nothing is left over. */
+  bool Complete() const
+  {
+    return this->Good && this->Left == 0;
+  }
+
+private:
+  bool Take(std::size_t bytes)
+  {
+    this->Good = this->Good && bytes <= this->Left;
+    if (this->Good)
+    {
+      this->At += bytes;
+      this->Left -= bytes;
+    }
+    return this->Good;
+  }
+
+  const char* At;
+  std::size_t Left;
+  bool Good = true;
+};
+
+template <class Tuples>
+bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
+{
+  for (const auto& tuple : tuples)
+  {
+    for (const int index : tuple)
+    {
+      if (index < first || index >= static_cast<long long>(end))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** Both sides of every face must agree on who the neighbors are and on the constraint. */
+bool NeighborsAgree(const Tetrahedralization& mesh)
+{
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const int neighbor = mesh.Neighbors[cell][f];
+      if (neighbor < 0)
+      {
+        continue;
+      }
+      const auto& back = mesh.Neighbors[neighbor];
+      const auto found = std::find(back.begin(), back.end(), static_cast<int>(cell));
+      if (found == back.end() ||
+        mesh.Constraints[neighbor][found - back.begin()] != mesh.Constraints[cell][f])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/** The mistake in a tetrahedralization, or an empty string. */
+std::string FindMistake(const Tetrahedralization& mesh)
+{
+  const ResolvedMesh& surface = mesh.Surface;
+  const std::size_t triangles = surface.Triangles.size();
+  if (surface.PointSources.size() != surface.Points.size() ||
+    surface.TriangleSources.size() != triangles || surface.Windings.size() != triangles ||
+    surface.Counts.size() != triangles || mesh.Neighbors.size() != mesh.Cells.size() ||
+    mesh.Constraints.size() != mesh.Cells.size())
+  {
+    return "arrays that belong together differ in length";
+  }
+  if (!IndicesWithin(surface.Triangles, 0, surface.Points.size()) ||
+    !IndicesWithin(mesh.Cells, 0, surface.Points.size()))
+  {
+    return "a vertex index is out of range";
+  }
+  if (!IndicesWithin(mesh.Neighbors, -1, mesh.Cells.size()) ||
+    !IndicesWithin(mesh.Constraints, -1, triangles))
+  {
+    return "a neighbor or constraint index is out of range";
+  }
+  if (!NeighborsAgree(mesh))
+  {
+    return "neighboring tetrahedra disagree about their common face";
+  }
+  return {};
+}
+
+} // namespace
+
+const char* StageName(Stage stage)
+{
+  static constexpr const char* names[NumberOfStages] = { "clean", "resolve", "tetrahedralize" };
+  return names[static_cast<int>(stage)];
+}
+
+void Write(std::ostream& out, const Job& job)
+{
+  Writer writer(out, JobMagic);
+  writer.Value(job.Kind);
+  writer.Array(job.Mesh.Points);
+  writer.Array(job.Mesh.Triangles);
+}
+
+std::string Read(const char* data, std::size_t size, Job& job)
+{
+  Reader reader(data, size);
+  if (!reader.Magic(JobMagic))
+  {
+    return "this is not a job of this version of the program";
+  }
+  reader.Value(job.Kind);
+  reader.Array(job.Mesh.Points);
+  reader.Array(job.Mesh.Triangles);
+  if (!reader.Complete())
+  {
+    return "the job is incomplete";
+  }
+  if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections)
+  {
+    return "the job is of an unknown kind";
+  }
+  if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()))
+  {
+    return "the job has a triangle with a vertex index out of range";
+  }
+  return {};
+}
+
+void Write(std::ostream& out, const Reply& reply)
+{
+  Writer writer(out, ReplyMagic);
+  writer.Array(reply.Error);
+  writer.Array(reply.Result.Surface.Points);
+  writer.Array(reply.Result.Surface.PointSources);
+  writer.Array(reply.Result.Surface.Triangles);
+  writer.Array(reply.Result.Surface.TriangleSources);
+  writer.Array(reply.Result.Surface.Windings);
+  writer.Array(reply.Result.Surface.Counts);
+  writer.Array(reply.Result.Cells);
+  writer.Array(reply.Result.Neighbors);
+  writer.Array(reply.Result.Constraints);
+  writer.Value(reply.IntersectingPairs);
+  writer.Array(reply.StageSeconds);
+}
+
+std::string Read(const char* data, std::size_t size, Reply& reply)
+{
+  Reader reader(data, size);
+  if (!reader.Magic(ReplyMagic))
+  {
+    return "this is not a reply of this version of the helper program";
+  }
+  reader.Array(reply.Error);
+  reader.Array(reply.Result.Surface.Points);
+  reader.Array(reply.Result.Surface.PointSources);
+  reader.Array(reply.Result.Surface.Triangles);
+  reader.Array(reply.Result.Surface.TriangleSources);
+  reader.Array(reply.Result.Surface.Windings);
+  reader.Array(reply.Result.Surface.Counts);
+  reader.Array(reply.Result.Cells);
+  reader.Array(reply.Result.Neighbors);
+  reader.Array(reply.Result.Constraints);
+  reader.Value(reply.IntersectingPairs);
+  reader.Array(reply.StageSeconds);
+  if (!reader.Complete() || reply.StageSeconds.size() != NumberOfStages)
+  {
+    return "the reply is incomplete";
+  }
+  return FindMistake(reply.Result);
+}
+
+std::string ProgressLine(Stage stage, double fraction)
+{
+  char line[64];
+  std::snprintf(line, sizeof(line), "@progress %d %.4f\n", static_cast<int>(stage), fraction);
+  return line;
+}
+
+bool ParseProgress(const std::string& line, Stage& stage, double& fraction)
+{
+  int number = -1;
+  if (std::sscanf(line.c_str(), "@progress %d %lf", &number, &fraction) != 2 || number < 0 ||
+    number >= NumberOfStages)
+  {
+    return false;
+  }
+  stage = static_cast<Stage>(number);
+  return true;
+}
+
+} // namespace carving

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a host and the helper program say to each other.
+ *
+ * The host writes a Job to the helper's standard input and reads a Reply from its standard output,
+ * both binary. On standard error the helper writes one line per report of progress (see
+ * ProgressLine); every other line there is a diagnostic for the user's eyes.
+ */
+#ifndef carving_Protocol_h
+#define carving_Protocol_h
+
+#include "Mesh.h"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace carving
+{
+
+enum class JobKind : int
+{
+  /** Clean, resolve and tetrahedralize the mesh: everything in the reply is filled. */
+  Tetrahedralize = 1,
+  /** Clean the mesh and count its intersecting pairs: only these are filled. */
+  CountIntersections = 2
+};
+
+struct Job
+{
+  JobKind Kind = JobKind::Tetrahedralize;
+  TriangleMesh Mesh;
+};
+
+/** A stage of the helper's work, in the order of execution. */
+enum class Stage : int
+{
+  Clean,
+  Resolve,
+  Tetrahedralize
+};
+constexpr int NumberOfStages = 3;
+const char* StageName(Stage stage);
+
+struct Reply
+{
+  /** Empty if the job succeeded; else what went wrong, for the user, and the rest is unspecified. */
+  std::string Error;
+  Tetrahedralization Result;
+  /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
+  int IntersectingPairs = 0;
+  /** Wall-clock seconds, one entry per stage. */
+  std::vector<double> StageSeconds;
+};
+
+/** Write to a binary stream; the stream's state tells whether all went well. */
+void Write(std::ostream& out, const Job& job);
+void Write(std::ostream& out, const Reply& reply);
+
+/**
+ * Read what Write wrote. Return an empty string, or what is wrong with the data: a foreign format,
+ * another version, an early end, or numbers that cannot be (an index out of range, say). All that
+ * the other parts of the core rely on holds for what has been read.
+ */
+std::string Read(const char* data, std::size_t size, Job& job);
+std::string Read(const char* data, std::size_t size, Reply& reply);
+
+/** The line that reports that a fraction of a stage is done; ParseProgress is its inverse. */
+std::string ProgressLine(Stage stage, double fraction);
+bool ParseProgress(const std::string& line, Stage& stage, double& fraction);
+
+} // namespace carving
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The few vector operations that the core needs.
+ */
+#ifndef carving_Vector_h
+#define carving_Vector_h
+
+#include "Mesh.h"
+
+#include <cmath>
+
+namespace carving
+{
+
+inline Point operator-(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+inline double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Point Cross(const Point& a, const Point& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+inline double Length(const Point& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+/** Six times the signed volume of the tetrahedron (a, b, c, d). */
+inline double SixVolume(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  return Dot(Cross(b - a, c - a), d - a);
+}
+
+} // namespace carving
+
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#ifndef carving_Resolve_h
+#define carving_Resolve_h
+
+#include "Mesh.h"
+#include "Progress.h"
+
+#include <string>
+
+/**
+ * Splits triangles along their mutual intersections until no two meet other than in a shared vertex
+ * or edge. The points of intersection are exact, then rounded to double; since rounding can make
+ * new intersections, it looks again until none is left.
+ *
+ * `mesh` has been cleaned and stays so. `intersectingPairs` is the number of pairs in the given
+ * mesh. Returns an empty string or why no clean mesh was reached.
+ */
+std::string Resolve(
+  carving::ResolvedMesh& mesh, int& intersectingPairs, const carving::Progress& progress);
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Tetrahedralize.h"
+
+#include "Kernels.h"
+
+#include <tetgen.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+using namespace carving;
+
+namespace
+{
+
+bool IsFlat(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+{
+  const Triangle& t = triangles.front();
+  return std::all_of(points.begin(), points.end(),
+    [&](const Point& p)
+    {
+      return CGAL::coplanar(
+        ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]), ToInexact(p));
+    });
+}
+
+void Fill(tetgenio& io, const ResolvedMesh& surface)
+{
+  io.numberofpoints = static_cast<int>(surface.Points.size());
+  io.pointlist = new REAL[3 * surface.Points.size()];
+  std::copy_n(surface.Points.front().data(), 3 * surface.Points.size(), io.pointlist);
+  io.numberoffacets = static_cast<int>(surface.Triangles.size());
+  io.facetlist = new tetgenio::facet[surface.Triangles.size()];
+  for (int i = 0; i < io.numberoffacets; ++i)
+  {
+    tetgenio::facet& facet = io.facetlist[i];
+    tetgenio::init(&facet);
+    facet.numberofpolygons = 1;
+    facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::polygon& polygon = facet.polygonlist[0];
+    polygon.numberofvertices = 3;
+    polygon.vertexlist = new int[3];
+    std::copy_n(surface.Triangles[i].data(), 3, polygon.vertexlist);
+  }
+}
+
+struct TriangleHash
+{
+  std::size_t operator()(const Triangle& t) const
+  {
+    std::size_t hash = 0;
+    for (const int corner : t)
+    {
+      hash = (hash ^ static_cast<std::size_t>(corner)) * 0x9E3779B97F4A7C15u;
+    }
+    return hash ^ (hash >> 32);
+  }
+};
+
+Triangle Sorted(Triangle t)
+{
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+/** Finds M's triangles among the faces; returns how many are missing. */
+std::size_t FindConstraints(Tetrahedralization& result)
+{
+  std::unordered_map<Triangle, int, TriangleHash> triangles;
+  triangles.reserve(result.Surface.Triangles.size());
+  for (std::size_t i = 0; i < result.Surface.Triangles.size(); ++i)
+  {
+    triangles.emplace(Sorted(result.Surface.Triangles[i]), static_cast<int>(i));
+  }
+  std::vector<char> found(triangles.size(), 0);
+  result.Constraints.resize(result.Cells.size());
+  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const auto triangle = triangles.find(Sorted(result.OutwardFace(static_cast<int>(cell), f)));
+      result.Constraints[cell][f] = triangle == triangles.end() ? -1 : triangle->second;
+      if (triangle != triangles.end())
+      {
+        found[triangle->second] = 1;
+      }
+    }
+  }
+  return std::count(found.begin(), found.end(), 0);
+}
+
+} // namespace
+
+std::string Tetrahedralize(Tetrahedralization& result)
+{
+  ResolvedMesh& surface = result.Surface;
+  if (surface.Triangles.empty())
+  {
+    return "no triangle has an area";
+  }
+  if (IsFlat(surface.Points, surface.Triangles))
+  {
+    return "all points lie in one plane, so that their convex hull has no volume to carve";
+  }
+  tetgenio in, out;
+  Fill(in, surface);
+  // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
+  // optimization, it costs ten times the rest; T: the default tolerance merges near vertices;
+  // n: neighbors; J: keep the numbering of points; Q: quiet.
+  char switches[] = "pcYO0/0T1e-14nJQ";
+  try
+  {
+    tetrahedralize(switches, &in, &out);
+  }
+  catch (int code)
+  {
+    return "TetGen gave up with code " + std::to_string(code);
+  }
+  for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
+  {
+    const REAL* p = out.pointlist + 3 * i;
+    surface.Points.push_back({ p[0], p[1], p[2] });
+    surface.PointSources.push_back(-1);
+  }
+  result.Cells.resize(out.numberoftetrahedra);
+  result.Neighbors.resize(out.numberoftetrahedra);
+  for (int i = 0; i < out.numberoftetrahedra; ++i)
+  {
+    std::copy_n(out.tetrahedronlist + 4 * i, 4, result.Cells[i].begin());
+    std::copy_n(out.neighborlist + 4 * i, 4, result.Neighbors[i].begin());
+  }
+  if (const std::size_t missing = FindConstraints(result))
+  {
+    return "TetGen lost " + std::to_string(missing) + " of " +
+      std::to_string(surface.Triangles.size()) + " triangles of the input";
+  }
+  return {};
+}

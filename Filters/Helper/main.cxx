@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * carving-helper: reads a job on standard input and writes the reply to standard output. Protocol.h
+ * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
+ */
+#include "Clean.h"
+#include "Intersections.h"
+#include "Protocol.h"
+#include "Resolve.h"
+#include "Tetrahedralize.h"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+
+#include <sys/prctl.h>
+#include <unistd.h>
+
+using namespace carving;
+
+namespace
+{
+
+/** Reports on standard error and measures time. */
+class Reporter
+{
+public:
+  explicit Reporter(Reply& reply)
+    : Out(reply)
+  {
+    this->Out.StageSeconds.assign(NumberOfStages, 0.0);
+  }
+
+  void Begin(Stage stage)
+  {
+    this->Current = stage;
+    this->Start = Clock::now();
+    this->LastReported = -1.0;
+    this->Report(0.0);
+  }
+
+  /** At most a hundred lines a stage. */
+  bool Report(double fraction)
+  {
+    if (fraction >= this->LastReported + 0.01)
+    {
+      this->LastReported = fraction;
+      std::fputs(ProgressLine(this->Current, fraction).c_str(), stderr);
+    }
+    return true;
+  }
+
+  void End()
+  {
+    this->Out.StageSeconds[static_cast<int>(this->Current)] +=
+      std::chrono::duration<double>(Clock::now() - this->Start).count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Reply& Out;
+  Stage Current = Stage::Clean;
+  Clock::time_point Start;
+  double LastReported = -1.0;
+};
+
+void CleanGiven(const Job& job, Reply& reply, Reporter& reporter)
+{
+  reporter.Begin(Stage::Clean);
+  reply.Result.Surface = Clean(AsResolved(job.Mesh));
+  reporter.End();
+}
+
+void CountIntersections(const Job& job, Reply& reply)
+{
+  Reporter reporter(reply);
+  CleanGiven(job, reply, reporter);
+  const ResolvedMesh mesh = std::move(reply.Result.Surface);
+  reply.Result = {};
+  reporter.Begin(Stage::Resolve);
+  reply.IntersectingPairs = static_cast<int>(FindIntersections(mesh.Points, mesh.Triangles).size());
+  reporter.End();
+}
+
+void TetrahedralizeGiven(const Job& job, Reply& reply)
+{
+  Reporter reporter(reply);
+  CleanGiven(job, reply, reporter);
+  reporter.Begin(Stage::Resolve);
+  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs,
+    [&](double fraction) { return reporter.Report(fraction); });
+  reporter.End();
+  if (reply.Error.empty())
+  {
+    reporter.Begin(Stage::Tetrahedralize);
+    reply.Error = Tetrahedralize(reply.Result);
+    reporter.End();
+  }
+}
+
+std::string ReadAll(std::istream& in)
+{
+  std::string all;
+  std::vector<char> chunk(1 << 20);
+  while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0)
+  {
+    all.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  return all;
+}
+
+} // namespace
+
+int main()
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // no orphan survives the host
+  // Standard output is for the reply alone: what TetGen prints there goes to standard error.
+  const int replyDescriptor = dup(STDOUT_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  setvbuf(stdout, nullptr, _IOLBF, 0);
+
+  std::ios::sync_with_stdio(false);
+  const std::string input = ReadAll(std::cin);
+  Job job;
+  const std::string mistake = Read(input.data(), input.size(), job);
+  if (!mistake.empty())
+  {
+    std::cerr << "carving-helper: " << mistake
+              << "\nIt is started by TopologyCarving's filters and reads their job from standard "
+                 "input.\n";
+    return 2;
+  }
+  Reply reply;
+  switch (job.Kind)
+  {
+    case JobKind::Tetrahedralize:
+      TetrahedralizeGiven(job, reply);
+      break;
+    case JobKind::CountIntersections:
+      CountIntersections(job, reply);
+      break;
+  }
+  if (!reply.Error.empty())
+  {
+    reply.Result = {};
+  }
+  std::fflush(stdout);
+  dup2(replyDescriptor, STDOUT_FILENO);
+  Write(std::cout, reply);
+  std::cout.flush();
+  if (!std::cout)
+  {
+    std::cerr << "carving-helper: the reply could not be written: " << std::strerror(errno) << "\n";
+    return 2;
+  }
+  return 0;
+}

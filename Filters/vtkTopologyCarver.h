@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTopologyCarver
+ * @brief simplify the topology of a polygonal mesh by carving it out of its convex hull
+ *
+ * Input is any vtkPolyData, closed or open, manifold or not, one piece or many, or a composite of
+ * them. vtkTopologyCarver tetrahedralizes the space between the mesh M and its convex hull C0 and
+ * carves the tetrahedra away, those with the longest edge first, until M appears. One run gives a
+ * stream of approximations C0, C1, ..., Cn = M in which components split off and tunnels open one
+ * after the other. Each of them encloses M, is part of the one before it, does not cross itself and
+ * has vertices of M only.
+ *
+ *                    +--> port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
+ *   vtkPolyData M ---+--> port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
+ *                    +--> port 2: vtkTable, the profile: a row per step, row 0 is C0
+ *
+ * The method is that of "Carving for topology simplification of polygonal meshes" (Computer-Aided
+ * Design); the section and equation numbers in this documentation are those of that paper.
+ *
+ * **Steps.** A step is one pop from the queue of carvable tetrahedra with all that it takes along.
+ * Step 0 is C0; a stream of n steps has n + 1 approximations.
+ *
+ * **Levels** are oriented outward. A triangle of M with solid on neither side, a fold, shows once,
+ * oriented as in M. Vertices are doubles and bit for bit those of the input. Where triangles of the
+ * input cross each other they are split first; only the points made by that, and Steiner points in
+ * the carved space where the tetrahedralization needs some, are new.
+ *
+ * Arrays of a level:
+ * - cells: `Priority` (double) and `Depth` (int, the hierarchical level of section 5.3) of the
+ *   tetrahedron behind the face, NaN and 0 for a face of M; `vtkOriginalCellIds`, the input cell,
+ *   -1 for a carved face; the input's cell data, 0 on carved faces.
+ * - points: the input's point data, exact on input points, on new points interpolated at the
+ *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point.
+ * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved"), `Rung` (how the
+ *   mesh was tetrahedralized), `FeatureSize` (the smallest priority popped up to this step, a length;
+ *   infinite for C0).
+ *
+ * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
+ * `Priority` (when popped), `Depth`, `Step` (of a tetrahedron: it is missing from C_j for j >= Step;
+ * of a triangle: the first step at which it shows; -1: never), `Region` (tetrahedra joined by faces
+ * that are not of M; -1 for triangles), `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's
+ * data as above.
+ *
+ * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Priority` (popped at that step).
+ *
+ * The field data of port 0 has a string array `Notes` if there is something the user should know.
+ *
+ * **What is solid.** A region that M encloses is solid where the winding number of M is at least one
+ * half in magnitude, else it is a void, which is carved too. For a mesh that is neither closed nor
+ * consistently oriented that is a guess, and a note says so.
+ *
+ * **Helper program.** CGAL and TetGen run in a child process, carving-helper, so that no mesh can
+ * take this process down and an abort takes effect at once. It is found next to the library or where
+ * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept:
+ * changing any property of this filter does not run it again.
+ *
+ * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
+ * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and
+ * the profile of each.
+ *
+ * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: a point that is not
+ * finite, a mesh that lies in one plane, a helper program that is missing, dies or gives up.
+ */
+#ifndef vtkTopologyCarver_h
+#define vtkTopologyCarver_h
+
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkTopologyCarvingModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for the level targets
+
+class vtkPolyData;
+class vtkTable;
+class vtkUnstructuredGrid;
+
+class VTKTOPOLOGYCARVING_EXPORT vtkTopologyCarver : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkTopologyCarver* New();
+  vtkTypeMacro(vtkTopologyCarver, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What a level target counts. */
+  enum LevelTargets
+  {
+    VERTICES = 0,
+    TRIANGLES = 1
+  };
+
+  ///@{
+  /**
+   * Whether exposed tetrahedra, those with more than one face open to the exterior, are carved in
+   * the same step as the neighbor whose carving exposed them (section 3.4). It lowers the number of
+   * triangles without changing that of vertices. Default on.
+   */
+  vtkSetMacro(CarveExposed, bool);
+  vtkGetMacro(CarveExposed, bool);
+  vtkBooleanMacro(CarveExposed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Number of levels to spread between C0, the first, and M, the last, so that their vertex counts
+   * grow geometrically. Where there are not that many distinct vertex counts, the rest is spread by
+   * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. At least
+   * 1, default 8. Not used while level targets are set.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * What the level targets count: VERTICES (default) or TRIANGLES of a level.
+   */
+  vtkSetClampMacro(LevelTargetType, int, VERTICES, TRIANGLES);
+  vtkGetMacro(LevelTargetType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Levels by size: for each target n one level, the last step such that it and all steps before it
+   * have at most n vertices or triangles. A target below C0's own count gives C0 and a warning.
+   * Levels are sorted from coarse to fine. While any target is set it replaces NumberOfLevels.
+   */
+  void AddLevelTarget(double target);
+  void ClearLevelTargets();
+  int GetNumberOfLevelTargets();
+  /** Returns 0 if there is no target of that index. */
+  double GetLevelTarget(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Wall-clock seconds that each stage of the last update took, summed over the leaves of a composite
+   * input. The first stages belong to the helper program and are 0 when its result was reused. An
+   * index out of range gives 0 and null.
+   */
+  int GetNumberOfStages();
+  const char* GetStageName(int stage);
+  double GetStageSeconds(int stage);
+  ///@}
+
+protected:
+  vtkTopologyCarver();
+  ~vtkTopologyCarver() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+
+  bool CarveExposed = true;
+  int NumberOfLevels = 8;
+  int LevelTargetType = VERTICES;
+  std::vector<double> Targets;
+
+private:
+  vtkTopologyCarver(const vtkTopologyCarver&) = delete;
+  void operator=(const vtkTopologyCarver&) = delete;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

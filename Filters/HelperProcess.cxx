@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelperProcess.h"
 
+#include "MemoryFile.h"
 #include "vtkResourceFileLocator.h"
 #include "vtksys/Process.h"
 #include "vtksys/SystemTools.hxx"
@@ -9,9 +10,6 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 // A symbol with a name that the dynamic linker can look up, to find the library it is in.
 extern "C" VTKTOPOLOGYCARVING_EXPORT void TopologyCarvingLibraryAnchor()
@@ -23,57 +21,6 @@ namespace
 
 constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
 constexpr const char* HelperName = "carving-helper";
-
-/** A file without a name that lives in memory: nothing to clean up, no disk to fill. */
-class MemoryFile
-{
-public:
-  explicit MemoryFile(const char* name)
-    : Descriptor(memfd_create(name, MFD_CLOEXEC))
-  {
-  }
-  ~MemoryFile()
-  {
-    if (this->Descriptor >= 0)
-    {
-      close(this->Descriptor);
-    }
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  bool IsOpen() const
-  {
-    return this->Descriptor >= 0;
-  }
-
-  /** A path under which this process can open the file. */
-  std::string GetPath() const
-  {
-    return "/proc/self/fd/" + std::to_string(this->Descriptor);
-  }
-
-  /** Calls `read(data, size)` with all that is in the file. */
-  template <class Function>
-  void Read(Function&& read) const
-  {
-    struct stat status = {};
-    fstat(this->Descriptor, &status);
-    const std::size_t size = static_cast<std::size_t>(status.st_size);
-    void* data =
-      size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->Descriptor, 0) : MAP_FAILED;
-    if (data == MAP_FAILED)
-    {
-      read("", 0);
-      return;
-    }
-    read(static_cast<const char*>(data), size);
-    munmap(data, size);
-  }
-
-private:
-  int Descriptor;
-};
 
 bool IsProgram(const std::string& path)
 {
@@ -150,12 +97,17 @@ public:
     return !this->Observe || this->Observe(this->Stage, this->Fraction);
   }
 
-  /** Where it was and the last that it said, as an end to an error message. */
+  /** Where it was, the last that it said and what to do, as an end to an error message. */
   std::string LastWords()
   {
     this->Keep();
     std::string words =
       std::string(" while it was busy with: ") + carving::StageName(this->Stage) + ".";
+    if (this->Stage == carving::Stage::Tetrahedralize)
+    {
+      words += " TetGen does not cope with every mesh. Repair or leave out the parts that cross "
+               "themselves or nearly touch, and try again.";
+    }
     if (!this->Words.empty())
     {
       words += " Its last words: " + this->Words;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ErrorLog.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(ErrorLog);
+
+namespace
+{
+
+/** From "ERROR: In FILE, line N\nvtkClass (0xADDRESS): message\n\n" to "message". */
+std::string ExtractMessage(std::string text)
+{
+  const std::size_t address = text.find(" (0x");
+  const std::size_t message = text.find("): ", address);
+  if (address != std::string::npos && message != std::string::npos)
+  {
+    text.erase(0, message + 3);
+  }
+  text.erase(text.find_last_not_of("\n ") + 1);
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+} // namespace
+
+void ErrorLog::DisplayErrorText(const char* text)
+{
+  // The pipeline's echo of an error that its filter has reported already says nothing to a user.
+  const std::string message = ExtractMessage(text);
+  if (message.find("returned failure for request") == std::string::npos)
+  {
+    this->Errors.push_back(message);
+  }
+}
+
+void ErrorLog::DisplayWarningText(const char* text)
+{
+  this->Warnings.push_back(ExtractMessage(text));
+}
+
+void ErrorLog::DisplayGenericWarningText(const char* text)
+{
+  this->Warnings.push_back(ExtractMessage(text));
+}

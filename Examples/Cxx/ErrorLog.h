@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ErrorLog_h
+#define ErrorLog_h
+
+#include "vtkOutputWindow.h"
+
+#include <string>
+#include <vector>
+
+/** Collects what VTK reports, as single lines without file names and addresses. */
+class ErrorLog : public vtkOutputWindow
+{
+public:
+  static ErrorLog* New();
+  vtkTypeMacro(ErrorLog, vtkOutputWindow);
+
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+};
+
+#endif

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LevelWriter.h"
+
+#include "CarverInput.h"
+#include "ErrorLog.h"
+#include "HelperProcess.h"
+#include "MeshReader.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtksys/SystemTools.hxx"
+
+namespace
+{
+
+std::string GetExtension(const std::string& fileName)
+{
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
+}
+
+template <class Writer>
+bool WriteWith(const std::string& fileName, vtkDataObject* data)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileName(fileName.c_str());
+  writer->SetInputData(data);
+  return writer->Write() != 0 && writer->GetErrorCode() == 0;
+}
+
+bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPolyData* level)
+{
+  return extension == ".vtp" ? WriteWith<vtkXMLPolyDataWriter>(fileName, level)
+    : extension == ".ply"    ? WriteWith<vtkPLYWriter>(fileName, level)
+    : extension == ".obj"    ? WriteWith<vtkOBJWriter>(fileName, level)
+                             : WriteWith<vtkSTLWriter>(fileName, level);
+}
+
+/** How many pairs of triangles cross each other in a written file; -1 if that cannot be told. */
+int CountCrossings(const std::string& fileName, ErrorLog* log)
+{
+  vtkNew<vtkPolyData> mesh;
+  CarverInput input;
+  carving::Job job;
+  carving::Reply reply;
+  std::string error = ReadMesh(fileName, log, mesh);
+  if (error.empty())
+  {
+    error = input.Gather(mesh);
+  }
+  job.Kind = carving::JobKind::CountIntersections;
+  job.Mesh = std::move(input.Mesh);
+  const bool good = error.empty() &&
+    HelperProcess::Run(job, reply, nullptr, error) == HelperProcess::Outcome::Success;
+  return good ? reply.IntersectingPairs : -1;
+}
+
+} // namespace
+
+namespace LevelWriter
+{
+
+std::string CheckName(const std::string& fileName)
+{
+  const std::string extension = GetExtension(fileName);
+  for (const char* known : { ".vtm", ".vtp", ".ply", ".obj", ".stl" })
+  {
+    if (extension == known)
+    {
+      return {};
+    }
+  }
+  return "levels cannot be written to \"" + fileName +
+    "\": its name must end in .vtm, .vtp, .ply, .obj or .stl";
+}
+
+std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, ErrorLog* log,
+  std::vector<std::string>& written, std::vector<std::string>& warnings)
+{
+  const std::string extension = GetExtension(fileName);
+  const std::string failure = "cannot write ";
+  if (extension == ".vtm")
+  {
+    written.push_back(fileName);
+    return WriteWith<vtkXMLMultiBlockDataWriter>(fileName, levels) ? "" : failure + fileName;
+  }
+  const std::string stem = fileName.substr(0, fileName.size() - extension.size());
+  for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
+  {
+    const std::string levelName = stem + "_" + std::to_string(i) + extension;
+    auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
+    if (!WriteLevel(levelName, extension, level))
+    {
+      return failure + levelName;
+    }
+    written.push_back(levelName);
+    if (extension == ".vtp")
+    {
+      continue; // keeps doubles
+    }
+    const int crossings = CountCrossings(levelName, log);
+    if (crossings != 0)
+    {
+      warnings.push_back(levelName + ": " +
+        (crossings < 0 ? "whether rounding makes it cross itself could not be checked"
+                       : "rounding to the format's precision makes " + std::to_string(crossings) +
+              " pairs of triangles cross each other; .vtp and .vtm keep doubles"));
+    }
+  }
+  return {};
+}
+
+} // namespace LevelWriter

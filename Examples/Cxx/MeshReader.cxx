@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshReader.h"
+
+#include "ErrorLog.h"
+#include "MemoryFile.h"
+#include "OffReader.h"
+
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkPLYReader.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataReader.h"
+#include "vtkSTLReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <fstream>
+#include <vector>
+#include <zlib.h>
+
+namespace
+{
+
+template <class Reader>
+void ReadWith(const std::string& fileName, vtkPolyData* mesh)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  mesh->ShallowCopy(reader->GetOutput());
+}
+
+std::string ReadFormat(
+  const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
+{
+  const std::size_t errorsBefore = log->Errors.size();
+  if (extension == ".off")
+  {
+    return ReadOff(fileName, mesh);
+  }
+  if (extension == ".obj")
+  {
+    ReadWith<vtkOBJReader>(fileName, mesh);
+  }
+  else if (extension == ".ply")
+  {
+    ReadWith<vtkPLYReader>(fileName, mesh);
+  }
+  else if (extension == ".stl")
+  {
+    ReadWith<vtkSTLReader>(fileName, mesh);
+  }
+  else if (extension == ".vtp")
+  {
+    ReadWith<vtkXMLPolyDataReader>(fileName, mesh);
+  }
+  else if (extension == ".vtk")
+  {
+    ReadWith<vtkPolyDataReader>(fileName, mesh);
+  }
+  else
+  {
+    return "the format " + (extension.empty() ? "without an ending" : extension) +
+      " is not known; known are .obj, .ply, .stl, .off, .vtp and .vtk, each also with .gz";
+  }
+  if (log->Errors.size() > errorsBefore)
+  {
+    return log->Errors[errorsBefore];
+  }
+  return {};
+}
+
+/** Unpacks a gzipped file; plain files pass unchanged. */
+std::string Unpack(const std::string& fileName, const MemoryFile& unpacked)
+{
+  gzFile in = gzopen(fileName.c_str(), "rb");
+  std::ofstream out(unpacked.GetPath(), std::ios::binary);
+  std::vector<char> chunk(1 << 20);
+  int length = 0;
+  while (in && (length = gzread(in, chunk.data(), static_cast<unsigned int>(chunk.size()))) > 0)
+  {
+    out.write(chunk.data(), length);
+  }
+  const bool good = in && gzclose(in) == Z_OK && length == 0;
+  out.close();
+  return !good ? "it is not a whole gzip file" : !out ? "there is not enough memory for it" : "";
+}
+
+} // namespace
+
+std::string ReadMesh(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+{
+  using vtksys::SystemTools;
+  if (!SystemTools::FileExists(fileName))
+  {
+    return "there is no such file";
+  }
+  if (!SystemTools::FileExists(fileName, true) ||
+    !SystemTools::TestFileAccess(fileName, vtksys::TEST_FILE_READ))
+  {
+    return "it is not a readable file";
+  }
+  std::string error;
+  std::string plainName = SystemTools::LowerCase(fileName);
+  if (SystemTools::GetFilenameLastExtension(plainName) == ".gz")
+  {
+    plainName.erase(plainName.size() - 3);
+    const MemoryFile unpacked("carve-input");
+    error = Unpack(fileName, unpacked);
+    if (error.empty())
+    {
+      error =
+        ReadFormat(unpacked.GetPath(), SystemTools::GetFilenameLastExtension(plainName), log, mesh);
+    }
+  }
+  else
+  {
+    error = ReadFormat(fileName, SystemTools::GetFilenameLastExtension(plainName), log, mesh);
+  }
+  if (error.empty() && mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
+  {
+    return "it holds no polygon, or is not of the format that its name says";
+  }
+  return error;
+}

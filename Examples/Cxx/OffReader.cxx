@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OffReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace
+{
+
+/** The next line that has more than white space and a comment. */
+bool NextLine(std::istream& in, std::istringstream& line)
+{
+  for (std::string text; std::getline(in, text);)
+  {
+    text.erase(std::min(text.find('#'), text.size()));
+    if (text.find_first_not_of(" \t\r") != std::string::npos)
+    {
+      line.clear();
+      line.str(text);
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+std::string ReadOff(const std::string& fileName, vtkPolyData* mesh)
+{
+  std::ifstream in(fileName);
+  std::istringstream line;
+  std::string header;
+  if (!NextLine(in, line) || !(line >> header) || header.size() < 3 ||
+    header.compare(header.size() - 3, 3, "OFF") != 0)
+  {
+    return "it does not begin with OFF";
+  }
+  // The counts may follow on the header's line.
+  long long numberOfPoints = -1, numberOfFaces = -1;
+  if (!(line >> numberOfPoints) && !(NextLine(in, line) && line >> numberOfPoints))
+  {
+    return "the number of points is missing";
+  }
+  if (!(line >> numberOfFaces) || numberOfPoints < 0 || numberOfFaces < 0)
+  {
+    return "the numbers of points and faces are missing or negative";
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (long long i = 0; i < numberOfPoints; ++i)
+  {
+    double p[3];
+    if (!NextLine(in, line) || !(line >> p[0] >> p[1] >> p[2]))
+    {
+      return "point " + std::to_string(i) + " is missing or not three numbers";
+    }
+    points->InsertNextPoint(p);
+  }
+  vtkNew<vtkCellArray> faces;
+  for (long long i = 0; i < numberOfFaces; ++i)
+  {
+    int size = 0;
+    if (!NextLine(in, line) || !(line >> size) || size < 0)
+    {
+      return "face " + std::to_string(i) + " is missing";
+    }
+    faces->InsertNextCell(size);
+    for (int k = 0; k < size; ++k)
+    {
+      long long corner = -1;
+      if (!(line >> corner) || corner < 0 || corner >= numberOfPoints)
+      {
+        return "face " + std::to_string(i) + " names a point that there is not";
+      }
+      faces->InsertCellPoint(corner);
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(faces);
+  return {};
+}

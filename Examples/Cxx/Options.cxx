@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "LevelWriter.h"
+
+#include <climits>
+#include <cmath>
+#include <cstdlib>
+#include <getopt.h>
+#include <sstream>
+
+const char* const HelpText = R"(NAME
+    carve - simplify the topology of a mesh by carving it out of its convex hull
+
+SYNOPSIS
+    carve INPUT [-o OUTPUT] [--levels N | --vertices N,N,... | --triangles N,N,...]
+          [--carve-exposed on|off]
+    carve --help | --version
+
+DESCRIPTION
+    Reads a triangle mesh, carves it out of its convex hull and prints a table of
+    the levels of detail on the way from the hull (level 0) to the mesh itself. In
+    that order components split off and tunnels open; every level encloses the
+    mesh, lies inside the one before it and does not cross itself. The vertices
+    of the levels are vertices of the mesh.
+
+    INPUT may be open, non-manifold or cross itself. Its format is told by the end
+    of its name: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
+    also gzipped (.obj.gz).
+
+OPTIONS
+    -o, --output OUTPUT
+        Write the levels. The end of the name decides how:
+            .vtm                     all levels in one multiblock data set
+            .vtp .ply .obj .stl      one file per level: out.ply becomes out_0.ply,
+                                     out_1.ply, ...
+        .vtm and .vtp keep the levels as they are, with all their arrays. The
+        other formats round coordinates; a warning is given where that makes a
+        level cross itself.
+
+    --levels N
+        Number of levels, spread so that their vertex counts grow geometrically.
+        Default: 8.
+
+    --vertices N,N,...
+    --triangles N,N,...
+        Instead, a level for each number: the last one that has at most that many
+        vertices or triangles, as have all before it.
+
+    --carve-exposed on|off
+        Whether tetrahedra that lose more than one face to the exterior are carved
+        along at once; it saves triangles. Default: on.
+
+    --help, --version
+        Print this text or the version, and exit.
+
+OUTPUT
+    The table goes to standard output: level, step (how many carving steps were
+    taken), vertices, triangles; then the seconds that each stage took. Progress
+    is shown on standard error if that is a terminal.
+
+EXIT STATUS
+    0   all went well
+    1   the mesh could not be read, carved or written
+    2   the command line is wrong
+
+ENVIRONMENT
+    TOPOLOGYCARVING_HELPER
+        Full path of the helper program carving-helper. Needed only where it is not
+        found beside this program's library or where it was installed.
+
+EXAMPLES
+    carve bones.off
+    carve bones.off -o bones.vtm --levels 12
+    carve scan.ply.gz -o proxy.stl --triangles 500,5000
+)";
+
+namespace
+{
+
+/** The whole text is a number. */
+bool ToNumber(const std::string& text, double& number)
+{
+  char* end = nullptr;
+  number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' && std::isfinite(number);
+}
+
+std::string ParseTargets(const std::string& name, const std::string& text, Options& options)
+{
+  if (!options.Targets.empty())
+  {
+    return "--vertices and --triangles can be given once and not together";
+  }
+  options.TargetsAreTriangles = name == "triangles";
+  std::istringstream list(text);
+  for (std::string item; std::getline(list, item, ',');)
+  {
+    double target = 0.0;
+    if (!ToNumber(item, target) || target < 1.0 || target != std::floor(target))
+    {
+      return "--" + name + " wants whole numbers above 0 with commas between, not \"" + text + "\"";
+    }
+    options.Targets.push_back(target);
+  }
+  return options.Targets.empty() ? "--" + name + " wants a number" : "";
+}
+
+std::string ParseSwitch(const std::string& name, const std::string& text, bool& value)
+{
+  value = text == "on";
+  return value || text == "off" ? "" : "--" + name + " wants on or off, not \"" + text + "\"";
+}
+
+} // namespace
+
+std::string Parse(int argc, char* argv[], Options& options)
+{
+  const option known[] = { { "output", required_argument, nullptr, 'o' },
+    { "levels", required_argument, nullptr, 'l' }, { "vertices", required_argument, nullptr, 't' },
+    { "triangles", required_argument, nullptr, 't' },
+    { "carve-exposed", required_argument, nullptr, 'e' }, { "help", no_argument, nullptr, 'h' },
+    { "version", no_argument, nullptr, 'v' }, {} };
+  opterr = 0;
+  bool levelsGiven = false;
+  for (int index = 0;;)
+  {
+    const int given = optind;
+    const int found = getopt_long(argc, argv, ":o:", known, &index);
+    if (found == -1)
+    {
+      break;
+    }
+    std::string error;
+    switch (found)
+    {
+      case 'h':
+        options.Wanted = Options::Action::ShowHelp;
+        return {};
+      case 'v':
+        options.Wanted = Options::Action::ShowVersion;
+        return {};
+      case 'o':
+        options.Output = optarg;
+        error = LevelWriter::CheckName(options.Output);
+        break;
+      case 'l':
+      {
+        double number = 0.0;
+        levelsGiven = true;
+        if (!ToNumber(optarg, number) || number < 1.0 || number > INT_MAX ||
+          number != std::floor(number))
+        {
+          error = std::string("--levels wants a whole number above 0, not \"") + optarg + "\"";
+        }
+        options.NumberOfLevels = static_cast<int>(number);
+        break;
+      }
+      case 't':
+        error = ParseTargets(known[index].name, optarg, options);
+        break;
+      case 'e':
+        error = ParseSwitch(known[index].name, optarg, options.CarveExposed);
+        break;
+      case ':':
+        error = std::string("the option ") + argv[given] + " wants a value";
+        break;
+      default:
+        error = std::string("unknown option ") + argv[given];
+        break;
+    }
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  if (levelsGiven && !options.Targets.empty())
+  {
+    return "--levels cannot be combined with --vertices or --triangles";
+  }
+  if (optind != argc - 1)
+  {
+    return optind == argc ? "no input is given" : "more than one input is given";
+  }
+  options.Input = argv[optind];
+  return {};
+}

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Render the levels of a carved mesh side by side into a PNG.
+
+usage: show_levels.py LEVELS.vtm PICTURE.png [--columns N] [--view X Y Z] [--up X Y Z]
+
+Faces of the input mesh are ivory, carved faces are blue. Needs VTK's Python modules and a display
+(xvfb-run provides one where there is none).
+"""
+import argparse
+
+import vtkmodules.vtkRenderingFreeType  # noqa: F401 (text)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the rendering backend)
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkFiltersCore import vtkArrayCalculator
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+TILE = (420, 300)
+
+
+def read_levels(path):
+    reader = vtkXMLMultiBlockDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    blocks = reader.GetOutput()
+    return [blocks.GetBlock(i) for i in range(blocks.GetNumberOfBlocks())]
+
+
+def make_actor(level):
+    """The level, colored by whether a face is the input's."""
+    kind = vtkArrayCalculator()
+    kind.SetInputData(level)
+    kind.SetAttributeTypeToCellData()
+    kind.AddScalarArrayName("vtkOriginalCellIds")
+    kind.SetFunction("vtkOriginalCellIds >= 0")
+    kind.SetResultArrayName("IsInput")
+    colors = vtkLookupTable()
+    colors.SetNumberOfTableValues(2)
+    colors.SetTableValue(0, 0.45, 0.62, 0.80, 1.0)
+    colors.SetTableValue(1, 0.95, 0.89, 0.76, 1.0)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(kind.GetOutputPort())
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("IsInput")
+    mapper.SetLookupTable(colors)
+    mapper.SetScalarRange(0, 1)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(0.15)
+    return actor
+
+
+def make_caption(level):
+    caption = vtkTextActor()
+    caption.SetInput(f"{level.GetNumberOfPoints():,} vertices, {level.GetNumberOfPolys():,} triangles")
+    caption.GetTextProperty().SetFontSize(17)
+    caption.GetTextProperty().SetColor(0.1, 0.1, 0.1)
+    caption.GetTextProperty().SetJustificationToCentered()
+    caption.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    caption.SetPosition(0.5, 0.03)
+    return caption
+
+
+def default_view(bounds):
+    """A direction that shows the mesh's broad side, from a little above and aside; y is up if it can be."""
+    size = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
+    thin = size.index(min(size))
+    view = [0.45] * 3
+    view[thin] = 1.0
+    return view, (0, 0, 1) if thin == 1 else (0, 1, 0)
+
+
+def place_camera(renderer, bounds, view, up):
+    center = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(center)
+    camera.SetPosition([c + v for c, v in zip(center, view)])
+    camera.SetViewUp(up)
+    camera.OrthogonalizeViewUp()
+    camera.SetViewAngle(20)
+    renderer.ResetCameraScreenSpace(bounds)
+    camera.Zoom(1.1)  # leaves room for the caption
+
+
+def render(levels, columns, view, up):
+    rows = -(-len(levels) // columns)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(columns * TILE[0], rows * TILE[1])
+    bounds = levels[0].GetBounds()
+    automatic = default_view(bounds)
+    for i, level in enumerate(levels):
+        column, row = i % columns, rows - 1 - i // columns
+        renderer = vtkRenderer()
+        renderer.SetViewport(column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
+        renderer.SetBackground(1, 1, 1)
+        renderer.AddActor(make_actor(level))
+        renderer.AddViewProp(make_caption(level))
+        window.AddRenderer(renderer)
+        place_camera(renderer, bounds, view or automatic[0], up or automatic[1])
+    window.Render()
+    return window
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("levels")
+    parser.add_argument("picture")
+    parser.add_argument("--columns", type=int, default=4, help="levels in a row (default 4)")
+    parser.add_argument("--view", type=float, nargs=3, help="direction from the mesh to the camera")
+    parser.add_argument("--up", type=float, nargs=3, help="what is up in the picture")
+    arguments = parser.parse_args()
+    levels = read_levels(arguments.levels)
+    if not levels:
+        parser.error(f"there is no level in {arguments.levels}")
+    window = render(levels, min(arguments.columns, len(levels)), arguments.view, arguments.up)
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(arguments.picture)
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()

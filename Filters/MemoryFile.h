@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * A file that needs no disk.
+ */
+#ifndef MemoryFile_h
+#define MemoryFile_h
+
+#include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/** A file without a name that lives in memory: nothing to clean up, no disk to fill. */
+class MemoryFile
+{
+public:
+  explicit MemoryFile(const char* name)
+    : Descriptor(memfd_create(name, MFD_CLOEXEC))
+  {
+  }
+  ~MemoryFile()
+  {
+    if (this->Descriptor >= 0)
+    {
+      close(this->Descriptor);
+    }
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  bool IsOpen() const
+  {
+    return this->Descriptor >= 0;
+  }
+
+  /** A path under which this process can open the file. */
+  std::string GetPath() const
+  {
+    return "/proc/self/fd/" + std::to_string(this->Descriptor);
+  }
+
+  /** Calls `read(data, size)` with all that is in the file. */
+  template <class Function>
+  void Read(Function&& read) const
+  {
+    struct stat status = {};
+    fstat(this->Descriptor, &status);
+    const std::size_t size = static_cast<std::size_t>(status.st_size);
+    void* data =
+      size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->Descriptor, 0) : MAP_FAILED;
+    if (data == MAP_FAILED)
+    {
+      read("", 0);
+      return;
+    }
+    read(static_cast<const char*>(data), size);
+    munmap(data, size);
+  }
+
+private:
+  int Descriptor;
+};
+
+#endif

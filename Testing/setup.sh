@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Functions that Examples/run.sh and Testing/run.sh share: packages, build, meshes. To be sourced.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# Everything that is made goes below this folder.
+build_root=${BUILD_DIR:-$root/build}
+
+build_packages=(
+  ca-certificates ccache cmake g++ libcgal-dev libgmp-dev libmpfr-dev libtet1.5-dev libvtk9-dev
+  ninja-build zlib1g-dev)
+picture_packages=(libgl1-mesa-dri python3-vtk9 xauth xvfb)
+test_packages=(clang-format libgtest-dev python3-numpy)
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+die() {
+  printf '%s\n' "$*" >&2
+  exit 1
+}
+
+# require_packages PACKAGE...: install what is missing, or say what to install.
+require_packages() {
+  local package missing=()
+  command -v dpkg-query >/dev/null || die "This script is for Debian 12. Elsewhere, follow 'Building by hand' in README.md."
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  if [ "$(id -u)" -ne 0 ]; then
+    printf 'Packages are missing. Install them and run this again:\n\n' >&2
+    printf '  sudo apt-get install -y --no-install-recommends %s\n\n' "${missing[*]}" >&2
+    exit 1
+  fi
+  say "Installing ${missing[*]}"
+  apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
+    >"$build_root/apt.log" 2>&1 || { tail -n 20 "$build_root/apt.log" >&2; die "The packages could not be installed."; }
+}
+
+# build NAME [CMAKE_OPTION...]: configure and build into a folder of that name.
+build() {
+  local directory=$build_root/$1 log=$build_root/$1.log
+  shift
+  say "Building in $directory"
+  {
+    cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
+      ninja -C "$directory"
+  } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; all of it is in $log"; }
+}
+
+# fetch PACKAGE: unpack a Debian package into the mesh folder, without installing it.
+fetch() {
+  local target=$build_root/meshes/$1
+  [ -e "$target/.complete" ] && return
+  say "Fetching meshes from Debian's package $1"
+  rm -rf "$target"
+  mkdir -p "$target"
+  (
+    cd "$target"
+    # Root's apt drops its rights for the download, for which it would need to own the folder.
+    apt-get -qq -o APT::Sandbox::User=root download "$1" || {
+      [ "$(id -u)" -eq 0 ] && apt-get update -qq &&
+        apt-get -qq -o APT::Sandbox::User=root download "$1"
+    }
+    dpkg-deb -x ./*.deb .
+    rm ./*.deb
+  ) || die "The package $1 could not be fetched; it has the meshes that are used here."
+  touch "$target/.complete"
+}
+
+# cgal_mesh NAME: the path of a mesh out of libcgal-demo.
+cgal_mesh() {
+  local package=$build_root/meshes/libcgal-demo
+  fetch libcgal-demo >&2
+  if [ ! -e "$package/data/meshes/$1" ]; then
+    tar -xzf "$package/usr/share/doc/libcgal-dev/data.tar.gz" -C "$package" "data/meshes/$1" ||
+      die "The package libcgal-demo has no mesh $1."
+  fi
+  printf '%s\n' "$package/data/meshes/$1"
+}
+
+mkdir -p "$build_root"

@@ -5,9 +5,11 @@
 #include "MemoryFile.h"
 #include "OffReader.h"
 
+#include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
 #include "vtkSTLReader.h"
@@ -30,13 +32,37 @@ void ReadWith(const std::string& fileName, vtkPolyData* mesh)
   mesh->ShallowCopy(reader->GetOutput());
 }
 
+std::string ReadOffAsPolyData(const std::string& fileName, vtkPolyData* mesh)
+{
+  OffMesh off;
+  const std::string error = ReadOff(fileName, off);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& p : off.Points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> faces;
+  for (const std::vector<int>& face : off.Faces)
+  {
+    faces->InsertNextCell(static_cast<int>(face.size()));
+    for (const int corner : face)
+    {
+      faces->InsertCellPoint(corner);
+    }
+  }
+  mesh->SetPoints(points);
+  mesh->SetPolys(faces);
+  return error;
+}
+
 std::string ReadFormat(
   const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
 {
   const std::size_t errorsBefore = log->Errors.size();
   if (extension == ".off")
   {
-    return ReadOff(fileName, mesh);
+    return ReadOffAsPolyData(fileName, mesh);
   }
   if (extension == ".obj")
   {

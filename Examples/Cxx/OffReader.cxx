@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OffReader.h"
 
-#include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -30,8 +26,9 @@ bool NextLine(std::istream& in, std::istringstream& line)
 
 } // namespace
 
-std::string ReadOff(const std::string& fileName, vtkPolyData* mesh)
+std::string ReadOff(const std::string& fileName, OffMesh& mesh)
 {
+  mesh = {};
   std::ifstream in(fileName);
   std::istringstream line;
   std::string header;
@@ -50,18 +47,15 @@ std::string ReadOff(const std::string& fileName, vtkPolyData* mesh)
   {
     return "the numbers of points and faces are missing or negative";
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
   for (long long i = 0; i < numberOfPoints; ++i)
   {
-    double p[3];
+    std::array<double, 3> p;
     if (!NextLine(in, line) || !(line >> p[0] >> p[1] >> p[2]))
     {
       return "point " + std::to_string(i) + " is missing or not three numbers";
     }
-    points->InsertNextPoint(p);
+    mesh.Points.push_back(p);
   }
-  vtkNew<vtkCellArray> faces;
   for (long long i = 0; i < numberOfFaces; ++i)
   {
     int size = 0;
@@ -69,7 +63,7 @@ std::string ReadOff(const std::string& fileName, vtkPolyData* mesh)
     {
       return "face " + std::to_string(i) + " is missing";
     }
-    faces->InsertNextCell(size);
+    std::vector<int>& face = mesh.Faces.emplace_back();
     for (int k = 0; k < size; ++k)
     {
       long long corner = -1;
@@ -77,10 +71,8 @@ std::string ReadOff(const std::string& fileName, vtkPolyData* mesh)
       {
         return "face " + std::to_string(i) + " names a point that there is not";
       }
-      faces->InsertCellPoint(corner);
+      face.push_back(static_cast<int>(corner));
     }
   }
-  mesh->SetPoints(points);
-  mesh->SetPolys(faces);
   return {};
 }

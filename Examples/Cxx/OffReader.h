@@ -2,15 +2,20 @@
 #ifndef OffReader_h
 #define OffReader_h
 
+#include <array>
 #include <string>
+#include <vector>
 
-class vtkPolyData;
+struct OffMesh
+{
+  std::vector<std::array<double, 3>> Points;
+  std::vector<std::vector<int>> Faces;
+};
 
 /**
- * Reads an ASCII Object File Format mesh (OFF), whose points become doubles. Colors, normals and
- * texture coordinates (COFF, NOFF, STOFF, ...) are passed over. Returns an empty string or what is
- * wrong with the file.
+ * Reads an ASCII Object File Format mesh (OFF). Colors, normals and texture coordinates (COFF, NOFF,
+ * STOFF, ...) are passed over. Returns an empty string or what is wrong with the file.
  */
-std::string ReadOff(const std::string& fileName, vtkPolyData* mesh);
+std::string ReadOff(const std::string& fileName, OffMesh& mesh);
 
 #endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Tetrahedralizations small enough to be worked out by hand.
+ */
+#ifndef SmallMeshes_h
+#define SmallMeshes_h
+
+#include "Mesh.h"
+
+namespace small
+{
+
+/** Points and positively oriented cells, constrained by triangles; finds neighbors by itself. */
+carving::Tetrahedralization Assemble(const std::vector<carving::Point>& points,
+  const std::vector<std::array<int, 4>>& cells, const std::vector<carving::Triangle>& triangles);
+
+/**
+ * A tetrahedron (points 0 to 3) around a smaller one (points 4 to 7): twelve cells between them and
+ * cell 12 inside. M is `triangles`.
+ */
+carving::Tetrahedralization NestedTetrahedra(const std::vector<carving::Triangle>& triangles);
+/** The faces of its outer and of its inner tetrahedron, oriented outward. */
+std::vector<carving::Triangle> OuterFaces();
+std::vector<carving::Triangle> InnerFaces();
+
+std::vector<carving::Triangle> Flipped(std::vector<carving::Triangle> triangles);
+std::vector<carving::Triangle> Joined(
+  std::vector<carving::Triangle> a, const std::vector<carving::Triangle>& b);
+
+/**
+ * A row of `n` tetrahedra, each of which shares a face with the next; cell i has the points i to
+ * i + 3, and its longest edge gets shorter with i. M is the last cell's last face.
+ */
+carving::Tetrahedralization Row(int n);
+
+} // namespace small
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Classification.h"
+#include "SmallMeshes.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+// A solid that fills its hull is one solid region.
+TEST(Classification, FindsASolid)
+{
+  const Classification result = Classify(small::NestedTetrahedra(small::OuterFaces()));
+  ASSERT_EQ(result.Regions.size(), 1u);
+  EXPECT_EQ(result.Regions[0].Kind, RegionKind::Solid);
+  EXPECT_EQ(result.Regions[0].Winding, 1.0);
+  EXPECT_FALSE(result.Regions[0].Guessed);
+}
+
+// What a non-constraining face joins to the outside is complement; the solid in it is not.
+TEST(Classification, TellsSolidFromOutside)
+{
+  const Classification result = Classify(small::NestedTetrahedra(small::InnerFaces()));
+  for (int cell = 0; cell < 12; ++cell)
+  {
+    EXPECT_EQ(result.Kind(cell), RegionKind::Outside);
+  }
+  EXPECT_EQ(result.Kind(12), RegionKind::Solid);
+}
+
+// A hollow solid, its inner shell facing inward, encloses a void.
+TEST(Classification, FindsAVoidInAHollowSolid)
+{
+  const Classification result = Classify(small::NestedTetrahedra(
+    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));
+  EXPECT_EQ(result.Kind(0), RegionKind::Solid);
+  EXPECT_EQ(result.Kind(12), RegionKind::Void);
+  EXPECT_EQ(result.Regions[result.RegionOfCell[12]].Winding, 0.0);
+}
+
+// By nonzero winding a solid within a solid is solid; so is one that is inside out.
+TEST(Classification, TakesNonzeroWindingForSolid)
+{
+  for (const auto& outer : { small::OuterFaces(), small::Flipped(small::OuterFaces()) })
+  {
+    const double sign = outer == small::OuterFaces() ? 1.0 : -1.0;
+    const Classification result = Classify(small::NestedTetrahedra(
+      small::Joined(outer, sign > 0 ? small::InnerFaces() : small::Flipped(small::InnerFaces()))));
+    EXPECT_EQ(result.Kind(0), RegionKind::Solid);
+    EXPECT_EQ(result.Kind(12), RegionKind::Solid);
+    EXPECT_EQ(result.Regions[result.RegionOfCell[12]].Winding, 2.0 * sign);
+  }
+}
+
+// A triangle that two glued solids share faces both ways: its signed sum is 0, and crossing it changes
+// nothing.
+TEST(Classification, CrossesGluedFacesWithoutChange)
+{
+  Tetrahedralization mesh =
+    small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
+  for (std::size_t i = 4; i < 8; ++i)
+  {
+    mesh.Surface.Windings[i] = 0;
+    mesh.Surface.Counts[i] = 2;
+  }
+  const Classification result = Classify(mesh);
+  EXPECT_EQ(result.Kind(0), RegionKind::Solid);
+  EXPECT_EQ(result.Kind(12), RegionKind::Solid);
+  EXPECT_EQ(result.Regions[result.RegionOfCell[12]].Winding, 1.0);
+}
+
+// A region that reaches the outside without crossing M is never solid, however deep it lies.
+TEST(Classification, NeverTakesWhatReachesTheOutsideForSolid)
+{
+  std::vector<Triangle> cup = small::OuterFaces();
+  cup.pop_back();
+  const Classification result = Classify(small::NestedTetrahedra(cup));
+  ASSERT_EQ(result.Regions.size(), 1u);
+  EXPECT_EQ(result.Regions[0].Kind, RegionKind::Outside);
+}
+
+// Where M encloses a region but is not consistently oriented, the rule says that it has guessed.
+TEST(Classification, RecordsThatItHadToGuess)
+{
+  std::vector<Triangle> faces = small::OuterFaces();
+  std::swap(faces[1][0], faces[1][1]);
+  const Classification result = Classify(small::NestedTetrahedra(faces));
+  ASSERT_EQ(result.Regions.size(), 1u);
+  EXPECT_TRUE(result.Regions[0].Guessed);
+}

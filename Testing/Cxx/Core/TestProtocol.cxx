@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Protocol.h"
+#include "SmallMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
+using namespace carving;
+
+namespace
+{
+
+Reply MakeReply()
+{
+  Reply reply;
+  reply.Result = small::NestedTetrahedra(small::InnerFaces());
+  reply.IntersectingPairs = 7;
+  reply.StageSeconds = { 0.25, 0.5, 1.0 };
+  return reply;
+}
+
+template <class Message>
+std::string Written(const Message& message)
+{
+  std::ostringstream out;
+  Write(out, message);
+  return out.str();
+}
+
+std::string ReadReply(const std::string& bytes)
+{
+  Reply reply;
+  return Read(bytes.data(), bytes.size(), reply);
+}
+
+} // namespace
+
+// A job is read as it was written.
+TEST(Protocol, RestoresAJob)
+{
+  Job job;
+  job.Kind = JobKind::CountIntersections;
+  job.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
+  const std::string bytes = Written(job);
+  Job restored;
+  ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
+  EXPECT_EQ(restored.Kind, job.Kind);
+  EXPECT_EQ(restored.Mesh.Points, job.Mesh.Points);
+  EXPECT_EQ(restored.Mesh.Triangles, job.Mesh.Triangles);
+}
+
+// A reply is read as it was written.
+TEST(Protocol, RestoresAReply)
+{
+  const Reply reply = MakeReply();
+  const std::string bytes = Written(reply);
+  Reply restored;
+  ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
+  EXPECT_EQ(restored.Result.Cells, reply.Result.Cells);
+  EXPECT_EQ(restored.Result.Constraints, reply.Result.Constraints);
+  EXPECT_EQ(restored.Result.Surface.Points, reply.Result.Surface.Points);
+  EXPECT_EQ(restored.IntersectingPairs, 7);
+  EXPECT_EQ(restored.StageSeconds, reply.StageSeconds);
+}
+
+// A reply that reports an error holds just that.
+TEST(Protocol, RestoresAnError)
+{
+  Reply reply;
+  reply.Error = "it does not work";
+  reply.StageSeconds = { 0, 0, 0 };
+  const std::string bytes = Written(reply);
+  Reply restored;
+  ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
+  EXPECT_EQ(restored.Error, reply.Error);
+}
+
+// Nothing, text, and the other message's bytes are foreign formats.
+TEST(Protocol, RejectsForeignData)
+{
+  Job job;
+  EXPECT_NE(ReadReply(""), "");
+  EXPECT_NE(ReadReply("Segmentation fault"), "");
+  EXPECT_NE(ReadReply(Written(job)), "");
+  const std::string reply = Written(MakeReply());
+  EXPECT_NE(Read(reply.data(), reply.size(), job), "");
+}
+
+// A message that was cut off anywhere, or continued, is rejected.
+TEST(Protocol, RejectsAWrongLength)
+{
+  const std::string bytes = Written(MakeReply());
+  for (std::size_t length = 0; length < bytes.size(); ++length)
+  {
+    ASSERT_NE(ReadReply(bytes.substr(0, length)), "") << length;
+  }
+  EXPECT_NE(ReadReply(bytes + "x"), "");
+}
+
+// Random changes of single bytes never crash; what is accepted has indices in range.
+TEST(Protocol, SurvivesChangedBytes)
+{
+  const std::string bytes = Written(MakeReply());
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i)
+  {
+    std::string changed = bytes;
+    changed[random() % changed.size()] = static_cast<char>(random());
+    Reply reply;
+    if (Read(changed.data(), changed.size(), reply).empty())
+    {
+      for (const auto& cell : reply.Result.Cells)
+      {
+        for (const int corner : cell)
+        {
+          ASSERT_GE(corner, 0);
+          ASSERT_LT(corner, static_cast<int>(reply.Result.Surface.Points.size()));
+        }
+      }
+    }
+  }
+}
+
+// A job with a triangle that names a point that there is not is rejected.
+TEST(Protocol, RejectsIndicesOutOfRange)
+{
+  for (const int corner : { -1, 3 })
+  {
+    Job job;
+    job.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0, 0, 0 } }, { { 0, 1, corner } } };
+    const std::string bytes = Written(job);
+    EXPECT_NE(Read(bytes.data(), bytes.size(), job), "");
+  }
+}
+
+// Neighbors that do not agree about their common face are rejected.
+TEST(Protocol, RejectsNeighborsThatDisagree)
+{
+  Reply reply = MakeReply();
+  for (int& neighbor : reply.Result.Neighbors[12])
+  {
+    neighbor = -1;
+  }
+  EXPECT_NE(ReadReply(Written(reply)), "");
+}
+
+// A line of progress is understood, any other line is not taken for one.
+TEST(Protocol, TellsProgressFromWords)
+{
+  Stage stage = Stage::Clean;
+  double fraction = 0.0;
+  EXPECT_TRUE(ParseProgress(ProgressLine(Stage::Resolve, 0.25), stage, fraction));
+  EXPECT_EQ(stage, Stage::Resolve);
+  EXPECT_EQ(fraction, 0.25);
+  EXPECT_FALSE(ParseProgress("Assertion failed", stage, fraction));
+  EXPECT_FALSE(ParseProgress("@progress 17 0.5", stage, fraction));
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Models.h"
+#include "Winding.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+namespace
+{
+
+ResolvedMesh Resolved(const TriangleMesh& mesh)
+{
+  ResolvedMesh result;
+  result.Points = mesh.Points;
+  result.Triangles = mesh.Triangles;
+  result.Windings.assign(mesh.Triangles.size(), 1);
+  return result;
+}
+
+} // namespace
+
+// The winding number of a solid is 1 inside and 0 outside.
+TEST(WindingNumber, IsOneInsideAndZeroOutside)
+{
+  const ResolvedMesh mesh = Resolved(models::Sphere(2));
+  EXPECT_NEAR(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 1.0, 1e-12);
+  EXPECT_NEAR(WindingNumber(mesh, { 1.1, 0.2, 0.3 }), 0.0, 1e-12);
+}
+
+// A solid that is inside out has the winding number -1 inside.
+TEST(WindingNumber, IsMinusOneInsideAFlippedSolid)
+{
+  EXPECT_NEAR(
+    WindingNumber(Resolved(models::Flipped(models::Sphere(1))), { 0.1, 0.2, 0.3 }), -1.0, 1e-12);
+}
+
+// Solids inside each other add up.
+TEST(WindingNumber, AddsUpOverlappingSolids)
+{
+  const ResolvedMesh mesh =
+    Resolved(models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), {}, 2.0)));
+  EXPECT_NEAR(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 2.0, 1e-12);
+}
+
+// At the center of a cube, each of its six sides takes a sixth of the full angle.
+TEST(WindingNumber, OfOneSideOfACubeIsASixth)
+{
+  ResolvedMesh mesh = Resolved(models::Box({ -1, -1, -1 }, { 1, 1, 1 }));
+  mesh.Triangles.resize(2);
+  EXPECT_NEAR(WindingNumber(mesh, { 0, 0, 0 }), 1.0 / 6.0, 1e-12);
+}
+
+// Merged copies count with their signed number: a two-sided leaf has no winding.
+TEST(WindingNumber, UsesTheSignedNumberOfCopies)
+{
+  ResolvedMesh mesh = Resolved(models::Sphere(1));
+  mesh.Windings.assign(mesh.Triangles.size(), 3);
+  EXPECT_NEAR(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 3.0, 1e-12);
+  mesh.Windings.assign(mesh.Triangles.size(), 0);
+  EXPECT_EQ(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 0.0);
+}
+
+// A closed and consistently oriented surface is closed, whatever its genus.
+TEST(IsClosed, HoldsForATorus)
+{
+  EXPECT_TRUE(IsClosed(Resolved(models::Torus(1.0, 0.3, 8, 5))));
+}
+
+// One triangle less, or one the wrong way round, and the surface is not closed.
+TEST(IsClosed, FailsForAHoleOrAFlippedTriangle)
+{
+  ResolvedMesh hole = Resolved(models::Sphere(1));
+  hole.Triangles.pop_back();
+  EXPECT_FALSE(IsClosed(hole));
+  ResolvedMesh flipped = Resolved(models::Sphere(1));
+  std::swap(flipped.Triangles[7][0], flipped.Triangles[7][1]);
+  EXPECT_FALSE(IsClosed(flipped));
+}
+
+// A two-sided sheet, whose copies cancel, bounds nothing and so has no open edge.
+TEST(IsClosed, HoldsForATwoSidedSheet)
+{
+  ResolvedMesh sheet = Resolved(models::Sheet(2));
+  EXPECT_FALSE(IsClosed(sheet));
+  sheet.Windings.assign(sheet.Triangles.size(), 0);
+  EXPECT_TRUE(IsClosed(sheet));
+}

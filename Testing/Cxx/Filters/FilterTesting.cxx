@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "OffReader.h"
+
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace
+{
+
+constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const carving::Point& p : mesh.Points)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  vtkNew<vtkCellArray> polys;
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    polys->InsertNextCell({ a, b, c });
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(points);
+  result->SetPolys(polys);
+  return result;
+}
+
+vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name)
+{
+  OffMesh off;
+  EXPECT_EQ(ReadOff(std::string(TOPOLOGYCARVING_MESHES) + "/" + name, off), "");
+  carving::TriangleMesh mesh = { off.Points, {} };
+  for (const std::vector<int>& face : off.Faces)
+  {
+    mesh.Triangles.push_back({ face.at(0), face.at(1), face.at(2) });
+  }
+  return ToPolyData(mesh);
+}
+
+vtkSmartPointer<vtkPolyData> TwoBoxes()
+{
+  return ToPolyData(
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 })));
+}
+
+vtkPolyData* GetLevel(vtkTopologyCarver* carver, int level)
+{
+  return vtkPolyData::SafeDownCast(carver->GetOutput()->GetBlock(static_cast<unsigned int>(level)));
+}
+
+int GetLevelStep(vtkTopologyCarver* carver, int level)
+{
+  return static_cast<int>(GetLevel(carver, level)->GetFieldData()->GetArray("Step")->GetTuple1(0));
+}
+
+Messages::Messages(vtkAlgorithm* filter)
+  : Filter(filter)
+  , Tags{ filter->AddObserver(vtkCommand::ErrorEvent, this, &Messages::AddError),
+    filter->AddObserver(vtkCommand::WarningEvent, this, &Messages::AddWarning),
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &Messages::Ignore) }
+{
+}
+
+Messages::~Messages()
+{
+  this->Filter->RemoveObserver(this->Tags[0]);
+  this->Filter->RemoveObserver(this->Tags[1]);
+  this->Filter->GetExecutive()->RemoveObserver(this->Tags[2]);
+}
+
+void Messages::AddError(vtkObject*, unsigned long, void* text)
+{
+  this->Errors.emplace_back(static_cast<const char*>(text));
+}
+
+void Messages::AddWarning(vtkObject*, unsigned long, void* text)
+{
+  this->Warnings.emplace_back(static_cast<const char*>(text));
+}
+
+OtherHelper::OtherHelper(const std::string& path)
+{
+  setenv(HelperVariable, path.c_str(), 1);
+}
+
+OtherHelper::OtherHelper(OtherHelper&& other) noexcept
+  : ScriptPath(std::move(other.ScriptPath))
+{
+  other.Owner = false;
+}
+
+OtherHelper::~OtherHelper()
+{
+  if (this->Owner)
+  {
+    unsetenv(HelperVariable);
+    if (!this->ScriptPath.empty())
+    {
+      std::remove(this->ScriptPath.c_str());
+    }
+  }
+}
+
+OtherHelper OtherHelper::Script(const std::string& commands)
+{
+  const std::string path = testing::TempDir() + "other-helper-" + std::to_string(getpid()) + ".sh";
+  std::ofstream(path) << "#!/bin/sh\n" << commands << "\n";
+  chmod(path.c_str(), 0700);
+  OtherHelper helper(path);
+  helper.ScriptPath = path;
+  return helper;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the tests of the filters share.
+ */
+#ifndef FilterTesting_h
+#define FilterTesting_h
+
+#include "Models.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTopologyCarver.h"
+
+#include <string>
+#include <vector>
+
+vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh);
+/** A mesh that the tests fetched. */
+vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name);
+/** Two boxes with a gap between them: the simplest mesh with something to carve. */
+vtkSmartPointer<vtkPolyData> TwoBoxes();
+
+vtkPolyData* GetLevel(vtkTopologyCarver* carver, int level);
+int GetLevelStep(vtkTopologyCarver* carver, int level);
+
+/** Collects the errors and warnings of a filter, which are then not printed. */
+class Messages
+{
+public:
+  explicit Messages(vtkAlgorithm* filter);
+  ~Messages();
+  Messages(const Messages&) = delete;
+  void operator=(const Messages&) = delete;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+private:
+  void AddError(vtkObject*, unsigned long, void* text);
+  void AddWarning(vtkObject*, unsigned long, void* text);
+  /** The executive only echoes what the filter has said. */
+  void Ignore()
+  {
+  }
+
+  vtkAlgorithm* Filter;
+  unsigned long Tags[3];
+};
+
+/** While it lives, the filters run another program in the helper's place. */
+class OtherHelper
+{
+public:
+  explicit OtherHelper(const std::string& path);
+  ~OtherHelper();
+
+  /** A shell script as helper; the file goes with this object. */
+  static OtherHelper Script(const std::string& commands);
+  OtherHelper(OtherHelper&& other) noexcept;
+  OtherHelper(const OtherHelper&) = delete;
+  void operator=(const OtherHelper&) = delete;
+
+private:
+  std::string ScriptPath;
+  bool Owner = true;
+};
+
+#endif

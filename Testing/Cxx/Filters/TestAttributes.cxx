@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+/** x + 2 y + 3 z, which interpolation within a triangle keeps. */
+double Linear(const double p[3])
+{
+  return p[0] + 2.0 * p[1] + 3.0 * p[2];
+}
+
+void AddLinearPointData(vtkPolyData* mesh)
+{
+  vtkNew<vtkDoubleArray> linear;
+  linear->SetName("Linear");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    linear->InsertNextValue(Linear(mesh->GetPoint(i)));
+  }
+  mesh->GetPointData()->AddArray(linear);
+}
+
+} // namespace
+
+// Point data arrives with its points, exact where the point is of the input.
+TEST(Attributes, CarriesPointData)
+{
+  auto input = TwoBoxes();
+  AddLinearPointData(input);
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    names->InsertNextValue("point " + std::to_string(i));
+  }
+  input->GetPointData()->AddArray(names);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->Update();
+  for (unsigned int l = 0; l < carver->GetOutput()->GetNumberOfBlocks(); ++l)
+  {
+    vtkPolyData* level = GetLevel(carver, static_cast<int>(l));
+    vtkDataArray* ids = level->GetPointData()->GetArray("vtkOriginalPointIds");
+    vtkDataArray* linear = level->GetPointData()->GetArray("Linear");
+    auto* levelNames =
+      vtkStringArray::SafeDownCast(level->GetPointData()->GetAbstractArray("Name"));
+    for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+    {
+      const vtkIdType source = static_cast<vtkIdType>(ids->GetTuple1(i));
+      double p[3], q[3];
+      level->GetPoint(i, p);
+      input->GetPoint(source, q);
+      EXPECT_TRUE(std::equal(p, p + 3, q));
+      EXPECT_EQ(linear->GetTuple1(i), Linear(p));
+      EXPECT_EQ(levelNames->GetValue(i), "point " + std::to_string(source));
+    }
+  }
+}
+
+// At points that resolving made, point data is interpolated; their original id is -1.
+TEST(Attributes, InterpolatesPointDataAtNewPoints)
+{
+  auto input = ToPolyData(
+    models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), { 0.7, 0.31, 0.17 })));
+  AddLinearPointData(input);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  vtkPolyData* level = GetLevel(carver, 0);
+  vtkDataArray* ids = level->GetPointData()->GetArray("vtkOriginalPointIds");
+  vtkDataArray* linear = level->GetPointData()->GetArray("Linear");
+  vtkIdType newPoints = 0;
+  for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+  {
+    newPoints += ids->GetTuple1(i) < 0;
+    EXPECT_NEAR(linear->GetTuple1(i), Linear(level->GetPoint(i)), 1e-9);
+  }
+  EXPECT_GT(newPoints, 0);
+  EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), newPoints);
+}
+
+// A face of the input carries its cell's data, a carved face the priority and depth of what is behind.
+TEST(Attributes, CarriesCellData)
+{
+  auto input = TwoBoxes();
+  vtkNew<vtkIntArray> part;
+  part->SetName("Part");
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    part->InsertNextValue(static_cast<int>(100 + i));
+  }
+  input->GetCellData()->AddArray(part);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  for (int l = 0; l < 2; ++l)
+  {
+    vtkCellData* data = GetLevel(carver, l)->GetCellData();
+    int carved = 0;
+    for (vtkIdType i = 0; i < GetLevel(carver, l)->GetNumberOfCells(); ++i)
+    {
+      const double original = data->GetArray("vtkOriginalCellIds")->GetTuple1(i);
+      const bool isInput = original >= 0;
+      carved += !isInput;
+      EXPECT_EQ(data->GetArray("Part")->GetTuple1(i), isInput ? 100 + original : 0);
+      EXPECT_EQ(std::isnan(data->GetArray("Priority")->GetTuple1(i)), isInput);
+      EXPECT_EQ(data->GetArray("Depth")->GetTuple1(i) == 0, isInput);
+    }
+    // Four sides of the gap have two triangles each, until they are carved.
+    EXPECT_EQ(carved, l == 0 ? 8 : 0);
+  }
+}
+
+// Polygons and strips are triangulated, and faces name the cell that they are of, after vertices and
+// lines, which are passed over.
+TEST(Attributes, CountsCellsAsTheInputDoes)
+{
+  const carving::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  auto input = ToPolyData({ box.Points, {} });
+  vtkNew<vtkCellArray> verts, lines, polys, strips;
+  verts->InsertNextCell({ 0 });
+  lines->InsertNextCell({ 0, 7 });
+  lines->InsertNextCell({ 1, 6 });
+  polys->InsertNextCell({ 0, 2, 3, 1 });                    // cell 3, z = 0
+  polys->InsertNextCell({ 4, 5, 7, 6 });                    // cell 4, z = 1
+  strips->InsertNextCell({ 0, 4, 1, 5, 3, 7, 2, 6, 0, 4 }); // cell 5, around
+  input->SetVerts(verts);
+  input->SetLines(lines);
+  input->SetPolys(polys);
+  input->SetStrips(strips);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  vtkPolyData* level = GetLevel(carver, 0);
+  vtkDataArray* ids = level->GetCellData()->GetArray("vtkOriginalCellIds");
+  int found[6] = {};
+  for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
+  {
+    const int id = static_cast<int>(ids->GetTuple1(i));
+    ASSERT_LT(id, 6);
+    if (id >= 0)
+    {
+      ++found[id];
+      double bounds[6];
+      level->GetCellBounds(i, bounds);
+      EXPECT_EQ(id == 3, bounds[5] == 0.0);
+      EXPECT_EQ(id == 4, bounds[4] == 1.0);
+    }
+  }
+  EXPECT_EQ(found[0] + found[1] + found[2], 0);
+  EXPECT_EQ(found[3], 2);
+  EXPECT_EQ(found[4], 2);
+  EXPECT_EQ(found[5], 8);
+  EXPECT_NE(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"), nullptr);
+}
+
+// Ghost cells are as good as not there.
+TEST(Attributes, SkipsGhostCells)
+{
+  auto input = TwoBoxes();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    ghosts->InsertNextValue(i < 12 ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  input->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPolys(), 12);
+  EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[1], 1.0);
+}
+
+// Every level says in its field data what it is.
+TEST(Attributes, DescribesLevels)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  for (int l = 0; l < 2; ++l)
+  {
+    vtkPolyData* level = GetLevel(carver, l);
+    vtkFieldData* data = level->GetFieldData();
+    EXPECT_EQ(data->GetArray("Vertices")->GetTuple1(0), level->GetNumberOfPoints());
+    EXPECT_EQ(data->GetArray("Triangles")->GetTuple1(0), level->GetNumberOfPolys());
+    EXPECT_EQ(data->GetArray("NewVertices")->GetTuple1(0), 0);
+    EXPECT_EQ(vtkStringArray::SafeDownCast(data->GetAbstractArray("Kind"))->GetValue(0), "carved");
+    EXPECT_NE(data->GetAbstractArray("Rung"), nullptr);
+  }
+  EXPECT_TRUE(
+    std::isinf(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0)));
+  // All tetrahedra of the gap have an edge across a side of the gap or longer, at most through it.
+  const double size = GetLevel(carver, 1)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0);
+  EXPECT_GE(size, std::sqrt(2.0));
+  EXPECT_LE(size, std::sqrt(3.0));
+}

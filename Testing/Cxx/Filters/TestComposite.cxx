@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+vtkMultiBlockDataSet* GetTree(vtkTopologyCarver* carver, int port)
+{
+  return vtkMultiBlockDataSet::SafeDownCast(carver->GetOutputDataObject(port));
+}
+
+} // namespace
+
+// Each leaf of a multiblock is carved on its own; tree, names and null leaves stay on all ports.
+TEST(Composite, CarvesEachLeafOfATree)
+{
+  vtkNew<vtkMultiBlockDataSet> scene, group;
+  scene->SetBlock(0, ToPolyData(models::Sphere(1)));
+  scene->SetBlock(1, nullptr);
+  scene->SetBlock(2, group);
+  group->SetBlock(0, TwoBoxes());
+  scene->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "ball");
+  scene->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "group");
+  group->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "boxes");
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(scene);
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkMultiBlockDataSet* tree = GetTree(carver, port);
+    ASSERT_NE(tree, nullptr);
+    ASSERT_EQ(tree->GetNumberOfBlocks(), 3u);
+    EXPECT_EQ(tree->GetBlock(1), nullptr);
+    EXPECT_STREQ(tree->GetMetaData(0u)->Get(vtkCompositeDataSet::NAME()), "ball");
+    EXPECT_STREQ(tree->GetMetaData(2u)->Get(vtkCompositeDataSet::NAME()), "group");
+    auto* inner = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(2));
+    ASSERT_NE(inner, nullptr);
+    EXPECT_STREQ(inner->GetMetaData(0u)->Get(vtkCompositeDataSet::NAME()), "boxes");
+    const char* types[] = { "vtkMultiBlockDataSet", "vtkUnstructuredGrid", "vtkTable" };
+    EXPECT_TRUE(inner->GetBlock(0)->IsA(types[port]));
+  }
+  auto* ball = vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(0));
+  auto* boxes = vtkMultiBlockDataSet::SafeDownCast(
+    vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetBlock(0));
+  EXPECT_EQ(ball->GetNumberOfBlocks(), 1u);
+  ASSERT_EQ(boxes->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(boxes->GetBlock(1))->GetNumberOfPolys(), 24);
+}
+
+// Partitioned data sets become blocks.
+TEST(Composite, CarvesPartitions)
+{
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, TwoBoxes());
+  partitions->SetPartition(1, ToPolyData(models::Sphere(1)));
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartitionedDataSet(0, partitions);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(collection);
+  carver->Update();
+  auto* inner = vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(0));
+  ASSERT_NE(inner, nullptr);
+  EXPECT_EQ(inner->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(inner->GetBlock(1))->GetNumberOfBlocks(), 1u);
+}
+
+// One leaf that cannot be carved is reported; the others come out all the same.
+TEST(Composite, GoesOnAfterABadLeaf)
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, ToPolyData(models::Sheet(2)));
+  vtkNew<vtkUnstructuredGrid> grid;
+  scene->SetBlock(1, grid);
+  scene->SetBlock(2, TwoBoxes());
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(scene);
+  carver->Update();
+  ASSERT_EQ(messages.Errors.size(), 2u);
+  EXPECT_NE(messages.Errors[0].find("plane"), std::string::npos);
+  EXPECT_NE(messages.Errors[1].find("Extract Surface"), std::string::npos);
+  EXPECT_GT(
+    vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);
+}
+
+// Changing a level property tetrahedralizes none of the leaves again.
+TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, TwoBoxes());
+  scene->SetBlock(1, ToPolyData(models::Torus(1.0, 0.3, 8, 5)));
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(scene);
+  carver->Update();
+  const OtherHelper missing("/there/is/no/such/helper");
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+}
+
+// The same filter takes a single mesh after a composite, and the other way round.
+TEST(Composite, FollowsTheTypeOfTheInput)
+{
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, TwoBoxes());
+  vtkNew<vtkTopologyCarver> carver;
+  for (int i = 0; i < 2; ++i)
+  {
+    carver->SetInputData(scene);
+    carver->Update();
+    EXPECT_TRUE(carver->GetOutputDataObject(1)->IsA("vtkMultiBlockDataSet"));
+    carver->SetInputData(TwoBoxes());
+    carver->Update();
+    EXPECT_TRUE(carver->GetOutputDataObject(1)->IsA("vtkUnstructuredGrid"));
+    EXPECT_TRUE(carver->GetOutputDataObject(2)->IsA("vtkTable"));
+  }
+}

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkCommand.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+
+namespace
+{
+
+/** Updates with another helper: an error that has `words`, and then, with the real one, levels. */
+void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(TwoBoxes());
+  {
+    const OtherHelper current(std::move(helper));
+    carver->Update();
+  }
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  messages.Errors.clear();
+  carver->Modified();
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+}
+
+/** The error that an input gives. */
+std::string ErrorFor(vtkPolyData* input)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(input);
+  carver->Update();
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  return messages.Errors.empty() ? "" : messages.Errors[0];
+}
+
+/** While it lives, aborts a filter as soon as it reports a stage. */
+class Aborter
+{
+public:
+  Aborter(vtkTopologyCarver* carver, const std::string& stage)
+    : Carver(carver)
+    , Stage(stage)
+    , Tag(carver->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
+  {
+  }
+  ~Aborter()
+  {
+    this->Carver->RemoveObserver(this->Tag);
+  }
+
+private:
+  void Abort()
+  {
+    const char* stage = this->Carver->GetProgressText();
+    if (stage && this->Stage == stage)
+    {
+      this->Carver->SetAbortExecute(1);
+    }
+  }
+
+  vtkTopologyCarver* Carver;
+  std::string Stage;
+  unsigned long Tag;
+};
+
+} // namespace
+
+// A missing helper is an error that names the variable and the path.
+TEST(Faults, ReportsAMissingHelper)
+{
+  ExpectErrorAndRecovery("/there/is/no/such/helper", OtherHelper("/there/is/no/such/helper"));
+  ExpectErrorAndRecovery("TOPOLOGYCARVING_HELPER", OtherHelper("/there/is/no/such/helper"));
+}
+
+// A file that is not a program is an error as well.
+TEST(Faults, ReportsAHelperThatIsNoProgram)
+{
+  ExpectErrorAndRecovery("not an executable file", OtherHelper(__FILE__));
+}
+
+// A helper that is killed in mid-run is an error that says so.
+TEST(Faults, ReportsAKilledHelper)
+{
+  ExpectErrorAndRecovery("died", OtherHelper::Script("kill -KILL $$"));
+}
+
+// A helper that crashes is an error that repeats its last words and where it was.
+TEST(Faults, RepeatsTheLastWordsOfACrashedHelper)
+{
+  ExpectErrorAndRecovery("Assertion failed: it hurts",
+    OtherHelper::Script("echo 'Assertion failed: it hurts' >&2; kill -ABRT $$"));
+  ExpectErrorAndRecovery(
+    "resolve", OtherHelper::Script("echo '@progress 1 0.5' >&2; kill -SEGV $$"));
+}
+
+// A helper that exits with a code of its own is an error that gives the code.
+TEST(Faults, ReportsAnExitCode)
+{
+  ExpectErrorAndRecovery("exit code 7", OtherHelper::Script("exit 7"));
+}
+
+// A helper that answers garbage, or nothing, is an error that says that its answer cannot be used.
+TEST(Faults, ReportsGarbage)
+{
+  ExpectErrorAndRecovery("cannot be used", OtherHelper::Script("echo garbage"));
+  ExpectErrorAndRecovery("cannot be used", OtherHelper::Script("exit 0"));
+}
+
+// A helper that hangs is killed as soon as the user aborts; that is no error.
+TEST(Faults, KillsAHangingHelperOnAbort)
+{
+  const OtherHelper hanging = OtherHelper::Script("echo '@progress 2 0' >&2; exec sleep 60");
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  const Aborter aborter(carver, "tetrahedralize");
+  carver->SetInputData(TwoBoxes());
+  const auto start = std::chrono::steady_clock::now();
+  carver->Update();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
+// An abort at any stage gives empty output, and the filter works again at once.
+TEST(Faults, CanBeAbortedAtEveryStage)
+{
+  auto input = ReadReal("bones.off");
+  for (const char* stage : { "clean", "resolve", "tetrahedralize", "classify", "carve", "output" })
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    carver->SetInputData(input);
+    {
+      const Aborter aborter(carver, stage);
+      carver->Update();
+    }
+    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u) << stage;
+    carver->Modified();
+    carver->Update();
+    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u) << stage;
+    EXPECT_TRUE(messages.Errors.empty()) << stage;
+  }
+}
+
+// A mesh that TetGen refuses is an error that says who gave up and what to do; the host lives on.
+TEST(Faults, ReportsThatTetGenGaveUp)
+{
+  std::mt19937_64 random(1);
+  const std::string error = ErrorFor(ToPolyData(models::Soup(60, random)));
+  EXPECT_NE(error.find("TetGen"), std::string::npos) << error;
+}
+
+// A coordinate that is not finite is an error that names the first such point.
+TEST(Faults, NamesThePointThatIsNotFinite)
+{
+  for (const double bad :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+  {
+    auto input = TwoBoxes();
+    input->GetPoints()->SetPoint(5, 0, bad, 0);
+    EXPECT_NE(ErrorFor(input).find("Point 5"), std::string::npos);
+  }
+}
+
+// A point that is not finite does not matter where no polygon uses it.
+TEST(Faults, IgnoresUnusedPoints)
+{
+  auto input = TwoBoxes();
+  input->GetPoints()->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(input);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+}
+
+// A flat mesh is an error that says that there is no volume.
+TEST(Faults, ReportsAFlatMesh)
+{
+  EXPECT_NE(ErrorFor(ToPolyData(models::Sheet(3))).find("plane"), std::string::npos);
+}
+
+// A mesh of degenerate triangles is an error that says that there is no area.
+TEST(Faults, ReportsAMeshWithoutArea)
+{
+  EXPECT_NE(ErrorFor(ToPolyData({ { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } } }))
+              .find("area"),
+    std::string::npos);
+}

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Judges surfaces with exact arithmetic, by other means than those of the code under test.
+ */
+#ifndef Checks_h
+#define Checks_h
+
+#include "Mesh.h"
+
+#include <vector>
+
+namespace checks
+{
+
+/** Pairs of triangles whose intersection is more than the corners that they share. Exact. */
+int CountCrossings(
+  const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
+
+/** Six times the volume that a closed surface bounds. */
+double SixVolume(
+  const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
+
+/** The vertices of the convex hull, sorted, and six times its volume. */
+struct Hull
+{
+  std::vector<carving::Point> Vertices;
+  double SixVolume;
+};
+Hull ConvexHull(const std::vector<carving::Point>& points);
+
+/** Whether the line through a point in a direction meets any triangle. Exact. */
+bool LineHits(const std::vector<carving::Point>& points,
+  const std::vector<carving::Triangle>& triangles, const carving::Point& point,
+  const carving::Point& direction);
+
+} // namespace checks
+
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clean.h"
+#include "Models.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+// Equal points become one, the first, and triangles follow.
+TEST(Clean, MergesEqualPoints)
+{
+  const ResolvedMesh mesh = Clean(
+    AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+      { { 0, 1, 2 }, { 4, 3, 5 } } }));
+  EXPECT_EQ(mesh.Points.size(), 4u);
+  EXPECT_EQ(mesh.PointSources, (std::vector<int>{ 0, 1, 2, 5 }));
+  EXPECT_EQ(mesh.Triangles, (std::vector<Triangle>{ { 0, 1, 2 }, { 2, 1, 3 } }));
+}
+
+// Zero and minus zero are the same coordinate.
+TEST(Clean, TakesMinusZeroForZero)
+{
+  const ResolvedMesh mesh =
+    Clean(AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { -0.0, 0, 0 }, { 0, 0, 1 } },
+      { { 0, 1, 2 }, { 3, 1, 4 } } }));
+  EXPECT_EQ(mesh.Points.size(), 4u);
+}
+
+// Points that no triangle uses are dropped.
+TEST(Clean, DropsUnusedPoints)
+{
+  const ResolvedMesh mesh =
+    Clean(AsResolved({ { { 9, 9, 9 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 1, 2, 3 } } }));
+  EXPECT_EQ(mesh.PointSources, (std::vector<int>{ 1, 2, 3 }));
+}
+
+// Triangles with two equal corners or three on a line, even a skew one, have no area.
+TEST(Clean, DropsTrianglesWithoutArea)
+{
+  const ResolvedMesh mesh =
+    Clean(AsResolved({ { { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 }, { 0, 1, 0 } },
+      { { 0, 1, 2 }, { 0, 1, 1 }, { 0, 1, 3 } } }));
+  EXPECT_EQ(mesh.TriangleSources, std::vector<int>{ 2 });
+}
+
+// The smallest deviation from a line that a double can hold is an area.
+TEST(Clean, KeepsTheThinnestTriangle)
+{
+  const double above = std::nextafter(0.5, 1.0);
+  EXPECT_EQ(Clean(AsResolved({ { { 0, 0, 0 }, { 1, 1, 0 }, { 0.5, above, 0 } }, { { 0, 1, 2 } } }))
+              .Triangles.size(),
+    1u);
+}
+
+// Equal triangles become one that keeps their signed sum and their number.
+TEST(Clean, MergesEqualTriangles)
+{
+  const ResolvedMesh mesh = Clean(AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
+    { { 0, 1, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 } } }));
+  EXPECT_EQ(mesh.Triangles, (std::vector<Triangle>{ { 0, 1, 2 } }));
+  EXPECT_EQ(mesh.Windings, std::vector<int>{ 2 });
+  EXPECT_EQ(mesh.Counts, std::vector<int>{ 4 });
+  EXPECT_EQ(mesh.TriangleSources, std::vector<int>{ 0 });
+}
+
+// The side that two glued boxes share has no winding left, but is still there.
+TEST(Clean, KeepsTheSideBetweenGluedBoxes)
+{
+  const ResolvedMesh mesh = Clean(AsResolved(models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }),
+    models::Flipped(models::Box({ 0, 0, 0 }, { 1, 1, 1 })))));
+  EXPECT_EQ(mesh.Triangles.size(), 12u);
+  EXPECT_EQ(mesh.Windings, std::vector<int>(12, 0));
+  EXPECT_EQ(mesh.Counts, std::vector<int>(12, 2));
+}
+
+// A clean mesh stays as it is.
+TEST(Clean, LeavesACleanMeshAlone)
+{
+  const ResolvedMesh once = Clean(AsResolved(models::Torus(1.0, 0.4, 9, 6)));
+  const ResolvedMesh twice = Clean(once);
+  EXPECT_EQ(once.Points, models::Torus(1.0, 0.4, 9, 6).Points);
+  EXPECT_EQ(once.Triangles, twice.Triangles);
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "Clean.h"
+#include "Intersections.h"
+#include "Models.h"
+#include "Resolve.h"
+#include "Vector.h"
+#include "Winding.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+namespace
+{
+
+ResolvedMesh Resolved(const TriangleMesh& given)
+{
+  ResolvedMesh mesh = Clean(AsResolved(given));
+  int pairs = 0;
+  EXPECT_EQ(Resolve(mesh, pairs, {}), "");
+  EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Triangles), 0);
+  return mesh;
+}
+
+double Area(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+{
+  double sum = 0.0;
+  for (const auto& [a, b, c] : triangles)
+  {
+    sum += 0.5 * Length(Cross(points[b] - points[a], points[c] - points[a]));
+  }
+  return sum;
+}
+
+std::vector<std::pair<int, int>> Intersections(const TriangleMesh& mesh)
+{
+  return FindIntersections(mesh.Points, mesh.Triangles);
+}
+
+} // namespace
+
+// Neighbors that share a corner or an edge do not intersect.
+TEST(FindIntersections, PassesOverNeighbors)
+{
+  EXPECT_TRUE(Intersections(models::Sphere(2)).empty());
+  EXPECT_TRUE(Intersections(models::Torus(1.0, 0.4, 9, 6)).empty());
+}
+
+// Triangles that cross, touch in a point or overlap in their plane intersect.
+TEST(FindIntersections, FindsCrossingTouchingAndOverlapping)
+{
+  const std::vector<Point> lower = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } };
+  const std::vector<std::vector<Point>> others = {
+    { { 1, 1, -1 }, { 1, 1, 1 }, { 5, 5, 1 } }, // crosses
+    { { 1, 1, 0 }, { 1, 1, 1 }, { 2, 1, 1 } },  // touches from above with a corner
+    { { 4, 0, 0 }, { 2, 2, 0 }, { 4, 4, 0 } },  // has a corner on the other's edge
+    { { 1, 1, 0 }, { 5, 1, 0 }, { 1, 5, 0 } },  // overlaps
+  };
+  for (const std::vector<Point>& other : others)
+  {
+    TriangleMesh mesh = { lower, { { 0, 1, 2 }, { 3, 4, 5 } } };
+    mesh.Points.insert(mesh.Points.end(), other.begin(), other.end());
+    EXPECT_EQ(Intersections(mesh).size(), 1u);
+  }
+}
+
+// Triangles that share an edge intersect only if one is folded onto the other.
+TEST(FindIntersections, FindsAFoldedPair)
+{
+  EXPECT_EQ(Intersections({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.2, 0.9, 0 } },
+                            { { 0, 1, 2 }, { 1, 0, 3 } } })
+              .size(),
+    1u);
+  EXPECT_TRUE(Intersections(
+    { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.2, -0.9, 0 } }, { { 0, 1, 2 }, { 1, 0, 3 } } })
+                .empty());
+}
+
+// Two triangles that share a corner and cross are found from either side.
+TEST(FindIntersections, FindsACrossingBesideASharedCorner)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 },
+    { 1, 1, 1 } };
+  EXPECT_EQ(Intersections({ points, { { 0, 1, 2 }, { 0, 3, 4 } } }).size(), 1u);
+  EXPECT_EQ(Intersections({ points, { { 0, 3, 4 }, { 0, 1, 2 } } }).size(), 1u);
+}
+
+// A mesh without intersections stays as it is.
+TEST(Resolve, LeavesACleanMeshAlone)
+{
+  const TriangleMesh given = models::Torus(1.0, 0.4, 9, 6);
+  const ResolvedMesh mesh = Resolved(given);
+  EXPECT_EQ(mesh.Points, given.Points);
+  EXPECT_EQ(mesh.Triangles, given.Triangles);
+}
+
+// Two squares that cross in the middle get a common edge there, and lose no area.
+TEST(Resolve, SplitsCrossingSquares)
+{
+  const TriangleMesh flat = models::Sheet(1);
+  TriangleMesh upright = flat;
+  for (Point& p : upright.Points)
+  {
+    p = { p[0], 0.5, p[1] - 0.5 };
+  }
+  const ResolvedMesh mesh = Resolved(models::Joined(flat, upright));
+  EXPECT_NEAR(Area(mesh.Points, mesh.Triangles), 2.0, 1e-12);
+  EXPECT_EQ(std::count(mesh.PointSources.begin(), mesh.PointSources.end(), -1),
+    static_cast<long>(mesh.Points.size()) - 8);
+}
+
+// Pieces keep the orientation, the source and the winding of the triangle that they are of: the
+// union of two crossing solids is closed and has winding numbers 0, 1 and 2.
+TEST(Resolve, KeepsOrientationAndWinding)
+{
+  const ResolvedMesh mesh = Resolved(
+    models::Joined(models::Sphere(2), models::Moved(models::Sphere(1), { 0.7, 0.31, 0.17 })));
+  EXPECT_TRUE(IsClosed(mesh));
+  EXPECT_NEAR(WindingNumber(mesh, { 0.35, 0.15, 0.08 }), 2.0, 1e-9);
+  EXPECT_NEAR(WindingNumber(mesh, { -0.5, 0, 0.1 }), 1.0, 1e-9);
+  EXPECT_NEAR(WindingNumber(mesh, { 5, 0, 0 }), 0.0, 1e-9);
+}
+
+// Where coplanar sides overlap, the common part is there once and counts twice.
+TEST(Resolve, MergesCoplanarOverlaps)
+{
+  const ResolvedMesh mesh = Resolved(
+    models::Joined(models::Box({ 0, 0, 0 }, { 2, 2, 2 }), models::Box({ 1, 1, 2 }, { 3, 3, 4 })));
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    if (mesh.Counts[i] == 2)
+    {
+      EXPECT_EQ(mesh.Windings[i], 0); // the boxes face each other
+      doubled += Area(mesh.Points, { mesh.Triangles[i] });
+    }
+  }
+  EXPECT_NEAR(doubled, 1.0, 1e-12);
+  EXPECT_TRUE(IsClosed(mesh));
+}
+
+// A corner on an edge of another triangle splits that edge: no T-junction is left.
+TEST(Resolve, SplitsEdgesAtTJunctions)
+{
+  const ResolvedMesh mesh = Resolved(
+    { { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 1, 0, 0 }, { 0.5, -1, 0 }, { 1.5, -1, 0 } },
+      { { 0, 1, 2 }, { 3, 4, 5 } } });
+  EXPECT_EQ(mesh.Triangles.size(), 3u);
+  EXPECT_EQ(mesh.Points.size(), 6u);
+}
+
+// Many triangles through one segment share it in the end.
+TEST(Resolve, CopesWithManyTrianglesThroughOneLine)
+{
+  TriangleMesh fan;
+  for (int i = 0; i < 12; ++i)
+  {
+    const double angle = 0.5 * i;
+    const int at = static_cast<int>(fan.Points.size());
+    fan.Points.insert(fan.Points.end(),
+      { { std::cos(angle), std::sin(angle), -1.0 - 0.01 * i },
+        { std::cos(angle), std::sin(angle), 1.0 + 0.02 * i },
+        { -std::cos(angle), -std::sin(angle), 0.1 * i } });
+    fan.Triangles.push_back({ at, at + 1, at + 2 });
+  }
+  Resolved(fan);
+}

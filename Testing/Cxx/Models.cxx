@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Models.h"
+
+#include "Vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+using carving::Point;
+using carving::Triangle;
+
+namespace models
+{
+namespace
+{
+
+const double Pi = std::acos(-1.0);
+
+/** Two triangles for each cell of a grid of n x m points; `wrap` joins the ends. */
+void AddGrid(TriangleMesh& mesh, int n, int m, bool wrap)
+{
+  const int cellsN = wrap ? n : n - 1;
+  const int cellsM = wrap ? m : m - 1;
+  for (int i = 0; i < cellsN; ++i)
+  {
+    for (int j = 0; j < cellsM; ++j)
+    {
+      const int a = i * m + j;
+      const int b = (i + 1) % n * m + j;
+      const int c = (i + 1) % n * m + (j + 1) % m;
+      const int d = i * m + (j + 1) % m;
+      mesh.Triangles.push_back({ a, b, c });
+      mesh.Triangles.push_back({ a, c, d });
+    }
+  }
+}
+
+Point Normalized(const Point& p)
+{
+  const double length = carving::Length(p);
+  return { p[0] / length, p[1] / length, p[2] / length };
+}
+
+/** A random rotation, as the images of the axes. */
+std::array<Point, 3> RandomRotation(std::mt19937_64& random)
+{
+  std::normal_distribution<double> normal;
+  const auto direction = [&] {
+    return Normalized({ normal(random), normal(random), normal(random) });
+  };
+  const Point x = direction();
+  const Point z = Normalized(carving::Cross(x, direction()));
+  return { x, carving::Cross(z, x), z };
+}
+
+TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
+{
+  const auto integer = [&](int lower, int upper)
+  { return std::uniform_int_distribution<int>(lower, upper)(random); };
+  std::uniform_real_distribution<double> unit;
+  closed = true;
+  switch (integer(0, 5))
+  {
+    case 0:
+      return Tetrahedron();
+    case 1:
+      return Box({ 0, 0, 0 }, { 0.2 + unit(random), 0.2 + unit(random), 0.2 + unit(random) });
+    case 2:
+      return Sphere(integer(0, 2));
+    case 3:
+      return Torus(1.0, 0.2 + 0.5 * unit(random), integer(5, 14), integer(4, 9));
+    default:
+    {
+      closed = false;
+      TriangleMesh sheet = Sheet(integer(1, 5));
+      for (Point& p : sheet.Points)
+      {
+        p[2] += 0.3 * unit(random);
+      }
+      return sheet;
+    }
+  }
+}
+
+} // namespace
+
+TriangleMesh Tetrahedron()
+{
+  return { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } } };
+}
+
+TriangleMesh Box(const Point& lower, const Point& upper)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < 8; ++i)
+  {
+    mesh.Points.push_back(
+      { i & 1 ? upper[0] : lower[0], i & 2 ? upper[1] : lower[1], i & 4 ? upper[2] : lower[2] });
+  }
+  const int sides[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
+    { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
+  for (const auto& s : sides)
+  {
+    mesh.Triangles.push_back({ s[0], s[1], s[2] });
+    mesh.Triangles.push_back({ s[0], s[2], s[3] });
+  }
+  return mesh;
+}
+
+TriangleMesh Sphere(int subdivisions)
+{
+  const double g = (1.0 + std::sqrt(5.0)) / 2.0;
+  TriangleMesh mesh;
+  mesh.Points = { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g },
+    { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } };
+  mesh.Triangles = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },
+    { 1, 5, 9 }, { 5, 11, 4 }, { 11, 10, 2 }, { 10, 7, 6 }, { 7, 1, 8 }, { 3, 9, 4 }, { 3, 4, 2 },
+    { 3, 2, 6 }, { 3, 6, 8 }, { 3, 8, 9 }, { 4, 9, 5 }, { 2, 4, 11 }, { 6, 2, 10 }, { 8, 6, 7 },
+    { 9, 8, 1 } };
+  for (; subdivisions > 0; --subdivisions)
+  {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b)
+    {
+      const auto [found, isNew] =
+        middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.Points.size()));
+      if (isNew)
+      {
+        const Point p = mesh.Points[a], q = mesh.Points[b];
+        mesh.Points.push_back({ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 });
+      }
+      return found->second;
+    };
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : mesh.Triangles)
+    {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const Triangle& t :
+        { Triangle{ a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } })
+      {
+        finer.push_back(t);
+      }
+    }
+    mesh.Triangles = finer;
+  }
+  for (Point& p : mesh.Points)
+  {
+    p = Normalized(p);
+  }
+  return mesh;
+}
+
+TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      const double u = 2 * Pi * i / n, v = 2 * Pi * j / m;
+      const double r = majorRadius + minorRadius * std::cos(v);
+      mesh.Points.push_back({ r * std::cos(u), r * std::sin(u), minorRadius * std::sin(v) });
+    }
+  }
+  AddGrid(mesh, n, m, true);
+  return mesh;
+}
+
+TriangleMesh Sheet(int n)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      mesh.Points.push_back({ double(i) / n, double(j) / n, 0.0 });
+    }
+  }
+  AddGrid(mesh, n + 1, n + 1, false);
+  return mesh;
+}
+
+TriangleMesh Soup(int n, std::mt19937_64& random)
+{
+  std::uniform_int_distribution<int> coordinate(0, 10);
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int x = coordinate(random), y = coordinate(random), z = coordinate(random);
+      mesh.Points.push_back({ double(x), double(y), double(z) });
+    }
+    mesh.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return mesh;
+}
+
+TriangleMesh Moved(TriangleMesh mesh, const Point& translation, double scale)
+{
+  for (Point& p : mesh.Points)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] = scale * p[i] + translation[i];
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh Flipped(TriangleMesh mesh)
+{
+  for (Triangle& t : mesh.Triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+  return mesh;
+}
+
+TriangleMesh Joined(const TriangleMesh& a, const TriangleMesh& b)
+{
+  TriangleMesh mesh = a;
+  const int offset = static_cast<int>(a.Points.size());
+  mesh.Points.insert(mesh.Points.end(), b.Points.begin(), b.Points.end());
+  for (const Triangle& t : b.Triangles)
+  {
+    mesh.Triangles.push_back({ t[0] + offset, t[1] + offset, t[2] + offset });
+  }
+  return mesh;
+}
+
+RandomModel MakeRandom(std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> unit;
+  RandomModel model;
+  const int parts = std::uniform_int_distribution<int>(1, 4)(random);
+  for (int i = 0; i < parts; ++i)
+  {
+    bool closed = true;
+    TriangleMesh part = RandomPart(random, closed);
+    if (closed && unit(random) < 0.2)
+    {
+      part = Flipped(part);
+    }
+    const std::array<Point, 3> axes = RandomRotation(random);
+    const double scale = 0.3 + 0.7 * unit(random);
+    const Point center = { 2 * unit(random), 2 * unit(random), 2 * unit(random) };
+    for (Point& p : part.Points)
+    {
+      p = { scale * carving::Dot(axes[0], p) + center[0],
+        scale * carving::Dot(axes[1], p) + center[1],
+        scale * carving::Dot(axes[2], p) + center[2] };
+    }
+    model.Closed = model.Closed && closed;
+    model.Mesh = Joined(model.Mesh, part);
+  }
+  return model;
+}
+
+} // namespace models

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# usage: bash Testing/fetch_meshes.sh FOLDER
+#
+# Puts real meshes out of Debian packages into FOLDER, as OFF files, for the tests. No package is
+# installed for that, and a mesh that is there already is not fetched again.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+[ $# -eq 1 ] || die "usage: bash Testing/fetch_meshes.sh FOLDER"
+mkdir -p "$1"
+
+for name in bones elephant cheese; do
+  [ -s "$1/$name.off" ] || cp "$(cgal_mesh $name.off)" "$1/$name.off"
+done
+
+if [ ! -s "$1/bunny.off" ]; then
+  fetch glmark2-data
+  awk '
+    $1 == "v" { points = points $2 " " $3 " " $4 "\n"; ++p }
+    $1 == "f" { faces = faces NF - 1; for (i = 2; i <= NF; ++i) faces = faces " " $i - 1; faces = faces "\n"; ++f }
+    END { printf "OFF\n%d %d 0\n%s%s", p, f, points, faces }
+  ' "$build_root/meshes/glmark2-data/usr/share/glmark2/models/bunny.obj" >"$1/bunny.off"
+fi

@@ -41,23 +41,28 @@ bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPo
                              : WriteWith<vtkSTLWriter>(fileName, level);
 }
 
-/** How many pairs of triangles cross each other in a written file; -1 if that cannot be told. */
-int CountCrossings(const std::string& fileName, ErrorLog* log)
+/**
+ * How many pairs of triangles cross each other in a file that has been written. Since it is read again
+ * for that, this finds out whether it has been written at all: `error` is empty then.
+ */
+int CountCrossings(const std::string& fileName, ErrorLog* log, std::string& error)
 {
   vtkNew<vtkPolyData> mesh;
   CarverInput input;
   carving::Job job;
   carving::Reply reply;
-  std::string error = ReadMesh(fileName, log, mesh);
+  error = ReadMesh(fileName, log, mesh);
   if (error.empty())
   {
     error = input.Gather(mesh);
   }
-  job.Kind = carving::JobKind::CountIntersections;
-  job.Mesh = std::move(input.Mesh);
-  const bool good = error.empty() &&
-    HelperProcess::Run(job, reply, nullptr, error) == HelperProcess::Outcome::Success;
-  return good ? reply.IntersectingPairs : -1;
+  if (error.empty())
+  {
+    job.Kind = carving::JobKind::CountIntersections;
+    job.Mesh = std::move(input.Mesh);
+    HelperProcess::Run(job, reply, nullptr, error);
+  }
+  return reply.IntersectingPairs;
 }
 
 } // namespace
@@ -103,13 +108,17 @@ std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, Err
     {
       continue; // keeps doubles
     }
-    const int crossings = CountCrossings(levelName, log);
-    if (crossings != 0)
+    std::string unreadable;
+    const int crossings = CountCrossings(levelName, log, unreadable);
+    if (!unreadable.empty())
     {
-      warnings.push_back(levelName + ": " +
-        (crossings < 0 ? "whether rounding makes it cross itself could not be checked"
-                       : "rounding to the format's precision makes " + std::to_string(crossings) +
-              " pairs of triangles cross each other; .vtp and .vtm keep doubles"));
+      return failure + levelName + " (read again: " + unreadable + ")";
+    }
+    if (crossings > 0)
+    {
+      warnings.push_back(levelName + ": rounding to the format's precision makes " +
+        std::to_string(crossings) +
+        " pairs of triangles cross each other; .vtp and .vtm keep doubles");
     }
   }
   return {};

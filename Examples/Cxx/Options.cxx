@@ -3,6 +3,7 @@
 
 #include "LevelWriter.h"
 
+#include <cctype>
 #include <climits>
 #include <cmath>
 #include <cstdlib>
@@ -86,6 +87,14 @@ bool ToNumber(const std::string& text, double& number)
   return !text.empty() && *end == '\0' && std::isfinite(number);
 }
 
+/** The option that getopt_long has just refused: a letter, or the whole argument before the next. */
+std::string GetOffender(char* argv[])
+{
+  return optopt > 0 && optopt < 128 && std::isprint(optopt) && argv[optind - 1][1] != '-'
+    ? std::string("-") + static_cast<char>(optopt)
+    : argv[optind - 1];
+}
+
 std::string ParseTargets(const std::string& name, const std::string& text, Options& options)
 {
   if (!options.Targets.empty())
@@ -125,7 +134,6 @@ std::string Parse(int argc, char* argv[], Options& options)
   bool levelsGiven = false;
   for (int index = 0;;)
   {
-    const int given = optind;
     const int found = getopt_long(argc, argv, ":o:", known, &index);
     if (found == -1)
     {
@@ -163,10 +171,10 @@ std::string Parse(int argc, char* argv[], Options& options)
         error = ParseSwitch(known[index].name, optarg, options.CarveExposed);
         break;
       case ':':
-        error = std::string("the option ") + argv[given] + " wants a value";
+        error = "the option " + GetOffender(argv) + " wants a value";
         break;
       default:
-        error = std::string("unknown option ") + argv[given];
+        error = "unknown option " + GetOffender(argv);
         break;
     }
     if (!error.empty())

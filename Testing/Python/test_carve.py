@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command-line program. CARVE names it, MESHES is the folder of fetched meshes."""
+import glob
+import gzip
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+CARVE = os.environ["CARVE"]
+BONES = os.path.join(os.environ["MESHES"], "bones.off")
+
+
+def two_cubes():
+    append = vtkAppendPolyData()
+    for x in (0, 2):
+        cube = vtkCubeSource()
+        cube.SetCenter(x, 0, 0)
+        append.AddInputConnection(cube.GetOutputPort())
+    triangulate = vtkTriangleFilter()
+    triangulate.SetInputConnection(append.GetOutputPort())
+    triangulate.Update()
+    plain = vtkPolyData()  # no normals, which the OBJ writer would need one of for each point
+    plain.SetPoints(triangulate.GetOutput().GetPoints())
+    plain.SetPolys(triangulate.GetOutput().GetPolys())
+    return plain
+
+
+def read(reader_class, name):
+    reader = reader_class()
+    reader.SetFileName(name)
+    reader.Update()
+    return reader.GetOutput()
+
+
+class TestCarve(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def run_carve(self, *arguments, **environment):
+        return subprocess.run(
+            [CARVE, *arguments], capture_output=True, text=True, cwd=self.folder, env={**os.environ, **environment})
+
+    def table(self, *arguments):
+        """The rows (level, step, vertices, triangles) that a run prints."""
+        run = self.run_carve(*arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return [tuple(map(int, line.split())) for line in run.stdout.splitlines() if re.fullmatch(r"[\s\d]+", line)]
+
+    def expect_failure(self, run, code, *words):
+        self.assertEqual(run.returncode, code, run.stderr)
+        lines = run.stderr.splitlines()
+        self.assertEqual(len(lines), 1, run.stderr)
+        self.assertTrue(lines[0].startswith("carve: "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+
+    def write_cubes(self, writer_class, name):
+        writer = writer_class()
+        writer.SetFileName(self.path(name))
+        writer.SetInputData(two_cubes())
+        writer.Write()
+        return self.path(name)
+
+    # What it prints
+
+    def test_prints_a_table(self):
+        """Eight levels of the bones from the 124 vertices of their hull on, and the seconds of all stages."""
+        rows = self.table(BONES)
+        self.assertEqual([row[0] for row in rows], list(range(8)))
+        self.assertEqual(rows[0][1:3], (0, 124))
+        self.assertEqual(rows, sorted(rows))
+        output = self.run_carve(BONES).stdout
+        for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "output"):
+            self.assertRegex(output, rf"{stage} \d+\.\d\d\d")
+
+    def test_prints_no_progress_into_a_pipe(self):
+        """Standard error stays empty where it is no terminal."""
+        self.assertEqual(self.run_carve(BONES).stderr, "")
+
+    def test_prints_help(self):
+        """--help is a manual page that names every option."""
+        run = self.run_carve("--help")
+        self.assertEqual(run.returncode, 0)
+        for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES",
+                     "--output", "--levels", "--vertices", "--triangles", "--carve-exposed"):
+            self.assertIn(word, run.stdout)
+
+    def test_prints_its_version(self):
+        """--version prints a name and a number."""
+        self.assertRegex(self.run_carve("--version").stdout, r"^carve \d+\.\d+\.\d+\n$")
+
+    # Which levels
+
+    def test_takes_a_number_of_levels(self):
+        """--levels sets how many there are."""
+        self.assertEqual(len(self.table(BONES, "--levels", "3")), 3)
+
+    def test_takes_targets(self):
+        """--vertices and --triangles give a level each, none larger than wanted."""
+        rows = self.table(BONES, "--vertices", "500,1000")
+        self.assertEqual([row[2] for row in rows], [500, 1000])
+        rows = self.table(BONES, "--triangles", "1000")
+        self.assertLessEqual(rows[0][3], 1000)
+
+    def test_warns_of_a_target_below_the_hull(self):
+        """A target that cannot be met gives the hull and a warning."""
+        run = self.run_carve(BONES, "--vertices", "5")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("warning", run.stderr)
+
+    def test_can_leave_exposed_tetrahedra(self):
+        """--carve-exposed off gives more triangles for the same vertices."""
+        on = self.table(BONES, "--vertices", "1000")
+        off = self.table(BONES, "--vertices", "1000", "--carve-exposed", "off")
+        self.assertGreater(off[0][3], on[0][3])
+
+    # What it reads
+
+    def test_reads_all_formats(self):
+        """OBJ, PLY, STL, VTP and legacy VTK of the same mesh give the same table, gzipped or not."""
+        names = [
+            self.write_cubes(vtkOBJWriter, "cubes.obj"),
+            self.write_cubes(vtkPLYWriter, "cubes.ply"),
+            self.write_cubes(vtkSTLWriter, "cubes.stl"),
+            self.write_cubes(vtkXMLPolyDataWriter, "cubes.vtp"),
+            self.write_cubes(vtkPolyDataWriter, "cubes.vtk"),
+        ]
+        for name in list(names):
+            with open(name, "rb") as plain, gzip.open(name + ".gz", "wb") as packed:
+                shutil.copyfileobj(plain, packed)
+            names.append(name + ".gz")
+        upper = self.path("CUBES.STL")
+        shutil.copy(self.path("cubes.stl"), upper)
+        sizes = {name: [row[2:] for row in self.table(name)][-1] for name in names + [upper]}
+        self.assertEqual(set(sizes.values()), {(16, 24)}, sizes)
+
+    def test_reads_off(self):
+        """OFF with comments, polygons, colors, and counts on the header's line."""
+        with open(self.path("pyramid.off"), "w", encoding="ascii") as file:
+            file.write("COFF 5 5 0 # counts\n# points\n0 0 0 255 0 0\n1 0 0 0 0 0\n\n1 1 0 1 1 1\n0 1 0 0 0 0\n"
+                       ".5 .5 1e0 0 0 0\n4 3 2 1 0\n3 0 1 4 0.1 0.2 0.3\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
+        self.assertEqual(self.table("pyramid.off"), [(0, 0, 5, 6)])
+
+    # What it writes
+
+    def test_writes_a_multiblock(self):
+        """-o OUT.vtm holds all levels with their names and arrays."""
+        self.table(BONES, "-o", "out.vtm", "--levels", "3")
+        levels = read(vtkXMLMultiBlockDataReader, self.path("out.vtm"))
+        self.assertEqual(levels.GetNumberOfBlocks(), 3)
+        level = levels.GetBlock(2)
+        self.assertIsNotNone(level.GetCellData().GetArray("vtkOriginalCellIds"))
+        self.assertEqual(level.GetFieldData().GetArray("Vertices").GetValue(0), level.GetNumberOfPoints())
+
+    def test_writes_a_file_per_level(self):
+        """.ply, .obj, .stl and .vtp get a number per level; triangles are those of the table."""
+        for extension, reader in ((".ply", vtkPLYReader), (".stl", vtkSTLReader), (".vtp", vtkXMLPolyDataReader)):
+            rows = self.table(BONES, "-o", "out" + extension, "--levels", "3")
+            self.assertEqual(len(glob.glob(self.path("out_*" + extension))), 3)
+            for row in rows:
+                level = read(reader, self.path(f"out_{row[0]}{extension}"))
+                self.assertEqual(level.GetNumberOfPolys(), row[3])
+        self.table(BONES, "-o", "out.obj", "--levels", "3")
+        self.assertEqual(len(glob.glob(self.path("out_*.obj"))), 3)
+
+    def test_warns_when_rounding_makes_a_level_cross_itself(self):
+        """Two tetrahedra, far from the origin, whose facing sides a float cannot tell apart."""
+        gap = 1e-6
+        with open(self.path("close.off"), "w", encoding="ascii") as file:
+            file.write("OFF\n8 8 0\n")
+            for x, y, z in ((0, 0, -gap), (2, 0, -gap), (0, 2, -gap), (0.5, 0.5, -1),
+                            (0, 0.3, gap), (2, 0.3, gap), (0.7, 2, gap), (0.5, 0.5, 1)):
+                file.write(f"{x + 1000!r} {y + 1000!r} {z + 1000!r}\n")
+            file.write("3 0 1 2\n3 0 3 1\n3 1 3 2\n3 2 3 0\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n")
+        for extension in (".ply", ".stl", ".obj"):
+            run = self.run_carve("close.off", "-o", "out" + extension, "--levels", "1")
+            self.assertEqual(run.returncode, 0)
+            self.assertIn("rounding", run.stderr)
+        run = self.run_carve("close.off", "-o", "out.vtp", "--levels", "1")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        run = self.run_carve(BONES, "-o", "out.ply", "--levels", "1")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    # What it refuses
+
+    def test_refuses_a_wrong_command_line(self):
+        """Exit code 2 and a line that says what is wrong."""
+        self.expect_failure(self.run_carve(), 2, "input")
+        self.expect_failure(self.run_carve("a.ply", "b.ply"), 2, "more than one")
+        self.expect_failure(self.run_carve("--nonsense", BONES), 2, "--nonsense")
+        self.expect_failure(self.run_carve(BONES, "-x"), 2, "-x")
+        self.expect_failure(self.run_carve(BONES, "-o"), 2, "-o", "value")
+        self.expect_failure(self.run_carve(BONES, "-o", "out.doc"), 2, "out.doc", ".vtm")
+        for levels in ("0", "-1", "many", "1.5", "1e99", "nan", ""):
+            self.expect_failure(self.run_carve(BONES, "--levels", levels), 2, "--levels")
+        for targets in ("", ",", "1,,2", "10,x", "0"):
+            self.expect_failure(self.run_carve(BONES, "--vertices", targets), 2, "--vertices")
+        self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "not together")
+        self.expect_failure(self.run_carve(BONES, "--levels", "9", "--triangles", "9"), 2, "--levels")
+        self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "on or off")
+
+    def test_refuses_a_wrong_file(self):
+        """Exit code 1 and a line that names the file: missing, a folder, of an unknown or another format."""
+        self.expect_failure(self.run_carve("missing.ply"), 1, "missing.ply", "no such file")
+        os.mkdir(self.path("folder.ply"))
+        self.expect_failure(self.run_carve("folder.ply"), 1, "folder.ply")
+        for extension in (".obj", ".ply", ".stl", ".off", ".vtp", ".vtk", ".obj.gz"):
+            name = "text" + extension
+            with open(self.path(name), "w", encoding="ascii") as file:
+                file.write("This is not a mesh.\n" * 3)
+            self.expect_failure(self.run_carve(name), 1, name)
+        for name in ("text.doc", "text"):
+            shutil.copy(self.path("text.obj"), self.path(name))
+            self.expect_failure(self.run_carve(name), 1, name, ".ply")
+
+    def test_refuses_broken_off_files(self):
+        """What is wrong is named: the header, the counts, a point, a face, a corner."""
+        for text, word in (("PLY\n", "OFF"), ("OFF\n", "number"), ("OFF\n1 x\n", "numbers"),
+                           ("OFF\n1 0 0\n1 2\n", "point 0"), ("OFF\n1 1 0\n1 2 3\n", "face 0"),
+                           ("OFF\n1 1 0\n1 2 3\n3 0 0 1\n", "face 0")):
+            with open(self.path("broken.off"), "w", encoding="ascii") as file:
+                file.write(text)
+            self.expect_failure(self.run_carve("broken.off"), 1, "broken.off", word)
+
+    def test_refuses_a_truncated_gzip_file(self):
+        """A gzip file that ends early is not read in part."""
+        name = self.path("cut.off.gz")
+        with open(BONES, "rb") as plain, gzip.open(name, "wb") as packed:
+            shutil.copyfileobj(plain, packed)
+        os.truncate(name, 20000)
+        self.expect_failure(self.run_carve(name), 1, "cut.off.gz", "gzip")
+
+    def test_refuses_a_place_that_cannot_be_written(self):
+        """A folder that cannot be made, since a file is in its place."""
+        with open(self.path("file"), "w", encoding="ascii"):
+            pass
+        for extension in (".vtm", ".vtp", ".ply", ".obj", ".stl"):
+            self.expect_failure(self.run_carve(BONES, "-o", "file/out" + extension), 1, "file/out", "write")
+
+    def test_reports_a_missing_helper(self):
+        """The helper program's absence is one line, too."""
+        self.expect_failure(
+            self.run_carve(BONES, TOPOLOGYCARVING_HELPER="/there/is/none"), 1, "TOPOLOGYCARVING_HELPER")
+
+    def test_reports_a_dying_helper(self):
+        """So is its death."""
+        script = self.path("helper.sh")
+        with open(script, "w", encoding="ascii") as file:
+            file.write("#!/bin/sh\nkill -KILL $$\n")
+        os.chmod(script, 0o700)
+        self.expect_failure(self.run_carve(BONES, TOPOLOGYCARVING_HELPER=script), 1, "died")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python package, through its public interface alone."""
+import unittest
+
+import numpy as np
+from topologycarving import vtkTopologyCarver
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable, vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
+
+
+def two_cubes():
+    append = vtkAppendPolyData()
+    for x in (0, 2):
+        cube = vtkCubeSource()
+        cube.SetCenter(x, 0, 0)
+        append.AddInputConnection(cube.GetOutputPort())
+    return append
+
+
+def volume(mesh):
+    points = vtk_to_numpy(mesh.GetPoints().GetData())
+    a, b, c = (points[column] for column in vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3).T)
+    return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+
+
+class TestPackage(unittest.TestCase):
+    def test_goes_from_the_hull_to_the_input(self):
+        """Two unit cubes with a unit gap: the hull's volume is 3, the input's 2."""
+        cubes = two_cubes()
+        carver = vtkTopologyCarver()
+        carver.SetInputConnection(0, cubes.GetOutputPort())
+        carver.Update()
+        levels = carver.GetOutput()
+        self.assertIsInstance(levels, vtkMultiBlockDataSet)
+        self.assertAlmostEqual(volume(levels.GetBlock(0)), 3)
+        self.assertAlmostEqual(volume(levels.GetBlock(levels.GetNumberOfBlocks() - 1)), 2)
+
+    def test_has_three_outputs(self):
+        """Ports 1 and 2 are the stream and the profile, which agree on the number of steps."""
+        cubes = two_cubes()
+        carver = vtkTopologyCarver()
+        carver.SetInputConnection(cubes.GetOutputPort())
+        carver.Update()
+        stream, profile = carver.GetOutputDataObject(1), carver.GetOutputDataObject(2)
+        self.assertIsInstance(stream, vtkUnstructuredGrid)
+        self.assertIsInstance(profile, vtkTable)
+        steps = vtk_to_numpy(stream.GetCellData().GetArray("Step"))
+        self.assertEqual(steps.max(), profile.GetNumberOfRows() - 1)
+
+    def test_takes_level_targets(self):
+        """Targets replace the number of levels until they are cleared."""
+        cubes = two_cubes()
+        carver = vtkTopologyCarver()
+        carver.SetInputConnection(cubes.GetOutputPort())
+        carver.SetLevelTargetType(carver.TRIANGLES)
+        carver.AddLevelTarget(1000)
+        self.assertEqual(carver.GetNumberOfLevelTargets(), 1)
+        self.assertEqual(carver.GetLevelTarget(0), 1000)
+        carver.Update()
+        self.assertEqual(carver.GetOutput().GetNumberOfBlocks(), 1)
+        carver.ClearLevelTargets()
+        carver.Update()
+        self.assertGreater(carver.GetOutput().GetNumberOfBlocks(), 1)
+
+    def test_has_documented_defaults(self):
+        """Defaults and enumeration values are those of the documentation."""
+        carver = vtkTopologyCarver()
+        self.assertEqual(carver.GetNumberOfLevels(), 8)
+        self.assertEqual(carver.GetLevelTargetType(), carver.VERTICES)
+        self.assertTrue(carver.GetCarveExposed())
+        self.assertEqual((carver.VERTICES, carver.TRIANGLES), (0, 1))
+        carver.SetNumberOfLevels(0)
+        self.assertEqual(carver.GetNumberOfLevels(), 1)
+
+    def test_reports_errors(self):
+        """A flat mesh raises an error event whose text says what is wrong."""
+        errors = []
+        carver = vtkTopologyCarver()
+
+        def on_error(caller, event, text):
+            errors.append(text)
+
+        on_error.CallDataType = "string0"
+        carver.AddObserver("ErrorEvent", on_error)
+        carver.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
+        cube = vtkCubeSource()
+        cube.SetZLength(0)
+        carver.SetInputConnection(cube.GetOutputPort())
+        carver.Update()
+        self.assertEqual(len(errors), 1)
+        self.assertIn("plane", errors[0])
+
+    def test_works_in_a_pipeline(self):
+        """A change upstream is carved anew; the seconds of the stages tell that the helper ran."""
+        sphere = vtkSphereSource()
+        append = two_cubes()
+        append.AddInputConnection(sphere.GetOutputPort())
+        sphere.SetCenter(1, 3, 0)
+        carver = vtkTopologyCarver()
+        carver.SetInputConnection(append.GetOutputPort())
+        carver.Update()
+        first = volume(carver.GetOutput().GetBlock(0))
+        sphere.SetCenter(1, 6, 0)
+        carver.Update()
+        self.assertGreater(volume(carver.GetOutput().GetBlock(0)), first)
+        stages = {carver.GetStageName(i): carver.GetStageSeconds(i) for i in range(carver.GetNumberOfStages())}
+        self.assertGreater(stages["tetrahedralize"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# usage: bash Testing/run.sh
+#
+# Installs what is needed, builds and passes all tests: formatting, the whole project with warnings as
+# errors, and core and helper program once more under the address and undefined-behavior sanitizers.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+
+require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
+meshes=$build_root/meshes/off
+# Two tests at a time: the machine may have more to do, and some tests build.
+jobs=2
+
+say "Checking the format"
+find "$root/Examples" "$root/Filters" "$root/Testing" \( -name '*.cxx' -o -name '*.h' \) -print0 |
+  xargs -0 clang-format --dry-run --Werror || die "Run clang-format -i on these files."
+
+build testing -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DTOPOLOGYCARVING_MESHES="$meshes"
+say "Testing"
+xvfb-run -a ctest --test-dir "$build_root/testing" -j$jobs --output-on-failure
+
+# Without warnings: the sanitizers make the compiler see some in CGAL that are none.
+build sanitize -DTOPOLOGYCARVING_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_CXX_FLAGS="-fsanitize=address,undefined -fno-sanitize-recover=all" \
+  -DTOPOLOGYCARVING_MESHES="$meshes"
+say "Testing core and helper program under sanitizers"
+# Everything takes ten times as long here: fewer random meshes, and not the two largest real ones,
+# which reach no code that the others do not.
+TOPOLOGYCARVING_RANDOM_MESHES=60 \
+  ctest --test-dir "$build_root/sanitize" -j$jobs --output-on-failure -E 'RealMesh.*(cheese|bunny)'
+
+say "All tests passed"

@@ -129,9 +129,10 @@ std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& 
   {
     if (round == maximumRounds)
     {
-      return "after " + std::to_string(maximumRounds) + " rounds of splitting, " +
+      return "After " + std::to_string(maximumRounds) + " rounds of splitting, " +
         std::to_string(pairs.size()) +
-        " pairs of triangles still intersect: the mesh is too intricate for double precision";
+        " pairs of triangles still cross each other: the mesh is too intricate for double "
+        "precision.";
     }
     std::map<int, Cuts> cuts;
     for (std::size_t i = 0; i < pairs.size(); ++i)

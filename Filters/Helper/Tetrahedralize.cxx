@@ -13,6 +13,9 @@ using namespace carving;
 namespace
 {
 
+constexpr const char* Advice = ". Repair or leave out the parts that cross themselves or nearly "
+                               "touch, and try again.";
+
 bool IsFlat(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {
   const Triangle& t = triangles.front();
@@ -96,11 +99,11 @@ std::string Tetrahedralize(Tetrahedralization& result)
   ResolvedMesh& surface = result.Surface;
   if (surface.Triangles.empty())
   {
-    return "no triangle has an area";
+    return "No triangle of the mesh has an area: there is nothing to carve out.";
   }
   if (IsFlat(surface.Points, surface.Triangles))
   {
-    return "all points lie in one plane, so that their convex hull has no volume to carve";
+    return "All points lie in one plane, so that their convex hull has no volume to carve.";
   }
   tetgenio in, out;
   Fill(in, surface);
@@ -114,7 +117,7 @@ std::string Tetrahedralize(Tetrahedralization& result)
   }
   catch (int code)
   {
-    return "TetGen gave up with code " + std::to_string(code);
+    return "TetGen gave up with code " + std::to_string(code) + Advice;
   }
   for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
   {
@@ -132,7 +135,7 @@ std::string Tetrahedralize(Tetrahedralization& result)
   if (const std::size_t missing = FindConstraints(result))
   {
     return "TetGen lost " + std::to_string(missing) + " of " +
-      std::to_string(surface.Triangles.size()) + " triangles of the input";
+      std::to_string(surface.Triangles.size()) + " triangles of the mesh" + Advice;
   }
   return {};
 }

@@ -70,9 +70,7 @@
 #include <memory> // for std::unique_ptr
 #include <vector> // for the level targets
 
-class vtkPolyData;
-class vtkTable;
-class vtkUnstructuredGrid;
+class CarverSession;
 
 class VTKTOPOLOGYCARVING_EXPORT vtkTopologyCarver : public vtkMultiBlockDataSetAlgorithm
 {
@@ -162,8 +160,7 @@ private:
   vtkTopologyCarver(const vtkTopologyCarver&) = delete;
   void operator=(const vtkTopologyCarver&) = delete;
 
-  class vtkInternals;
-  std::unique_ptr<vtkInternals> Internals;
+  std::unique_ptr<CarverSession> Session;
 };
 
 #endif

@@ -114,6 +114,33 @@ private:
   bool Good = true;
 };
 
+/** The fields of a job, in order; an archive is a Writer or a Reader. */
+template <class Archive, class JobType>
+void VisitJob(Archive& archive, JobType& job)
+{
+  archive.Value(job.Kind);
+  archive.Array(job.Mesh.Points);
+  archive.Array(job.Mesh.Triangles);
+}
+
+/** The fields of a reply. */
+template <class Archive, class ReplyType>
+void VisitReply(Archive& archive, ReplyType& reply)
+{
+  archive.Array(reply.Error);
+  archive.Array(reply.Result.Surface.Points);
+  archive.Array(reply.Result.Surface.PointSources);
+  archive.Array(reply.Result.Surface.Triangles);
+  archive.Array(reply.Result.Surface.TriangleSources);
+  archive.Array(reply.Result.Surface.Windings);
+  archive.Array(reply.Result.Surface.Counts);
+  archive.Array(reply.Result.Cells);
+  archive.Array(reply.Result.Neighbors);
+  archive.Array(reply.Result.Constraints);
+  archive.Value(reply.IntersectingPairs);
+  archive.Array(reply.StageSeconds);
+}
+
 template <class Tuples>
 bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
 {
@@ -194,9 +221,7 @@ const char* StageName(Stage stage)
 void Write(std::ostream& out, const Job& job)
 {
   Writer writer(out, JobMagic);
-  writer.Value(job.Kind);
-  writer.Array(job.Mesh.Points);
-  writer.Array(job.Mesh.Triangles);
+  VisitJob(writer, job);
 }
 
 std::string Read(const char* data, std::size_t size, Job& job)
@@ -206,9 +231,7 @@ std::string Read(const char* data, std::size_t size, Job& job)
   {
     return "this is not a job of this version of the program";
   }
-  reader.Value(job.Kind);
-  reader.Array(job.Mesh.Points);
-  reader.Array(job.Mesh.Triangles);
+  VisitJob(reader, job);
   if (!reader.Complete())
   {
     return "the job is incomplete";
@@ -227,18 +250,7 @@ std::string Read(const char* data, std::size_t size, Job& job)
 void Write(std::ostream& out, const Reply& reply)
 {
   Writer writer(out, ReplyMagic);
-  writer.Array(reply.Error);
-  writer.Array(reply.Result.Surface.Points);
-  writer.Array(reply.Result.Surface.PointSources);
-  writer.Array(reply.Result.Surface.Triangles);
-  writer.Array(reply.Result.Surface.TriangleSources);
-  writer.Array(reply.Result.Surface.Windings);
-  writer.Array(reply.Result.Surface.Counts);
-  writer.Array(reply.Result.Cells);
-  writer.Array(reply.Result.Neighbors);
-  writer.Array(reply.Result.Constraints);
-  writer.Value(reply.IntersectingPairs);
-  writer.Array(reply.StageSeconds);
+  VisitReply(writer, reply);
 }
 
 std::string Read(const char* data, std::size_t size, Reply& reply)
@@ -248,18 +260,7 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   {
     return "this is not a reply of this version of the helper program";
   }
-  reader.Array(reply.Error);
-  reader.Array(reply.Result.Surface.Points);
-  reader.Array(reply.Result.Surface.PointSources);
-  reader.Array(reply.Result.Surface.Triangles);
-  reader.Array(reply.Result.Surface.TriangleSources);
-  reader.Array(reply.Result.Surface.Windings);
-  reader.Array(reply.Result.Surface.Counts);
-  reader.Array(reply.Result.Cells);
-  reader.Array(reply.Result.Neighbors);
-  reader.Array(reply.Result.Constraints);
-  reader.Value(reply.IntersectingPairs);
-  reader.Array(reply.StageSeconds);
+  VisitReply(reader, reply);
   if (!reader.Complete() || reply.StageSeconds.size() != NumberOfStages)
   {
     return "the reply is incomplete";

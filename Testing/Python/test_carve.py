@@ -9,9 +9,9 @@ import subprocess
 import tempfile
 import unittest
 
+from meshes import two_cubes
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
@@ -21,16 +21,13 @@ CARVE = os.environ["CARVE"]
 BONES = os.path.join(os.environ["MESHES"], "bones.off")
 
 
-def two_cubes():
-    append = vtkAppendPolyData()
-    for x in (0, 2):
-        cube = vtkCubeSource()
-        cube.SetCenter(x, 0, 0)
-        append.AddInputConnection(cube.GetOutputPort())
+def plain_cubes():
+    """Two cubes, triangulated, without normals: the OBJ writer would need one for each point."""
+    cubes = two_cubes()
     triangulate = vtkTriangleFilter()
-    triangulate.SetInputConnection(append.GetOutputPort())
+    triangulate.SetInputConnection(cubes.GetOutputPort())
     triangulate.Update()
-    plain = vtkPolyData()  # no normals, which the OBJ writer would need one of for each point
+    plain = vtkPolyData()
     plain.SetPoints(triangulate.GetOutput().GetPoints())
     plain.SetPolys(triangulate.GetOutput().GetPolys())
     return plain
@@ -73,7 +70,7 @@ class TestCarve(unittest.TestCase):
     def write_cubes(self, writer_class, name):
         writer = writer_class()
         writer.SetFileName(self.path(name))
-        writer.SetInputData(two_cubes())
+        writer.SetInputData(plain_cubes())
         writer.Write()
         return self.path(name)
 

@@ -3,20 +3,11 @@
 import unittest
 
 import numpy as np
+from meshes import two_cubes
 from topologycarving import vtkTopologyCarver
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
-
-
-def two_cubes():
-    append = vtkAppendPolyData()
-    for x in (0, 2):
-        cube = vtkCubeSource()
-        cube.SetCenter(x, 0, 0)
-        append.AddInputConnection(cube.GetOutputPort())
-    return append
 
 
 def volume(mesh):

@@ -140,4 +140,13 @@ Tetrahedralization Row(int n)
   return Assemble(points, cells, { { n, n + 1, n + 2 } });
 }
 
+Stream CarveOneByOne(const Tetrahedralization& mesh)
+{
+  Stream stream;
+  CarveOptions options;
+  options.CarveExposed = false;
+  Carve(mesh, Classify(mesh), options, stream);
+  return stream;
+}
+
 } // namespace small

@@ -6,6 +6,7 @@
 #ifndef SmallMeshes_h
 #define SmallMeshes_h
 
+#include "Carver.h"
 #include "Mesh.h"
 
 namespace small
@@ -33,6 +34,9 @@ std::vector<carving::Triangle> Joined(
  * i + 3, and its longest edge gets shorter with i. M is the last cell's last face.
  */
 carving::Tetrahedralization Row(int n);
+
+/** A stream with one tetrahedron a step. */
+carving::Stream CarveOneByOne(const carving::Tetrahedralization& mesh);
 
 } // namespace small
 

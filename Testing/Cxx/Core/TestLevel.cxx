@@ -12,15 +12,6 @@ using namespace carving;
 namespace
 {
 
-Stream CarveOneByOne(const Tetrahedralization& mesh)
-{
-  Stream stream;
-  CarveOptions options;
-  options.CarveExposed = false;
-  Carve(mesh, Classify(mesh), options, stream);
-  return stream;
-}
-
 /** Corners in a canonical rotation, triangles sorted: equal for equal oriented surfaces. */
 std::vector<Triangle> Canonical(std::vector<Triangle> triangles)
 {
@@ -49,7 +40,7 @@ double SixVolume(const Tetrahedralization& mesh, const Level& level)
 TEST(Level, ZeroIsTheHull)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Level level = ExtractLevel(mesh, CarveOneByOne(mesh), 0);
+  const Level level = ExtractLevel(mesh, small::CarveOneByOne(mesh), 0);
   EXPECT_EQ(Canonical(level.Triangles), Canonical(small::OuterFaces()));
   EXPECT_EQ(level.Constraints, std::vector<int>(4, -1));
 }
@@ -58,7 +49,7 @@ TEST(Level, ZeroIsTheHull)
 TEST(Level, LastIsTheInputOrientedOutward)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::Flipped(small::InnerFaces()));
-  const Stream stream = CarveOneByOne(mesh);
+  const Stream stream = small::CarveOneByOne(mesh);
   const Level level = ExtractLevel(mesh, stream, stream.LastStep());
   EXPECT_EQ(Canonical(level.Triangles), Canonical(small::InnerFaces()));
   EXPECT_EQ(level.CellsBehind, std::vector<int>(4, 12));
@@ -68,7 +59,7 @@ TEST(Level, LastIsTheInputOrientedOutward)
 TEST(Level, LosesTheVolumeOfWhatIsCarved)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Stream stream = CarveOneByOne(mesh);
+  const Stream stream = small::CarveOneByOne(mesh);
   double expected = 8.0 * 8.0 * 8.0; // six times the volume of the outer tetrahedron
   for (int step = 0; step <= stream.LastStep(); ++step)
   {
@@ -94,7 +85,7 @@ TEST(Level, ShowsAFoldOnce)
     const Tetrahedralization mesh =
       small::Assemble({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
         { { 0, 1, 2, 3 }, { 4, 1, 2, 3 } }, { sheet });
-    const Stream stream = CarveOneByOne(mesh);
+    const Stream stream = small::CarveOneByOne(mesh);
     const Level level = ExtractLevel(mesh, stream, stream.LastStep());
     ASSERT_EQ(level.Triangles.size(), 1u);
     EXPECT_EQ(level.Triangles[0], sheet);
@@ -108,7 +99,7 @@ TEST(Level, HidesWhatLiesWithinTheSolid)
 {
   const Tetrahedralization mesh =
     small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
-  const Level level = ExtractLevel(mesh, CarveOneByOne(mesh), 0);
+  const Level level = ExtractLevel(mesh, small::CarveOneByOne(mesh), 0);
   EXPECT_EQ(Canonical(level.Triangles), Canonical(small::OuterFaces()));
 }
 
@@ -117,7 +108,7 @@ TEST(Level, OrientsTheWallOfAVoidIntoIt)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(
     small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
-  const Stream stream = CarveOneByOne(mesh);
+  const Stream stream = small::CarveOneByOne(mesh);
   EXPECT_EQ(Canonical(ExtractLevel(mesh, stream, stream.LastStep()).Triangles),
     Canonical(small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));
 }
@@ -126,7 +117,7 @@ TEST(Level, OrientsTheWallOfAVoidIntoIt)
 TEST(Level, NamesTheTetrahedronBehindACarvedFace)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Stream stream = CarveOneByOne(mesh);
+  const Stream stream = small::CarveOneByOne(mesh);
   const Level level = ExtractLevel(mesh, stream, 3);
   for (std::size_t i = 0; i < level.Triangles.size(); ++i)
   {

@@ -9,26 +9,12 @@
 
 using namespace carving;
 
-namespace
-{
-
-Stream CarveOneByOne(const Tetrahedralization& mesh)
-{
-  Stream stream;
-  CarveOptions options;
-  options.CarveExposed = false;
-  Carve(mesh, Classify(mesh), options, stream);
-  return stream;
-}
-
-} // namespace
-
 // A row of n tetrahedra has 2 n + 2 faces and n + 3 vertices, and loses two and one with each of them;
 // the last leaves one triangle.
 TEST(Profile, OfARowIsKnown)
 {
   const Tetrahedralization mesh = small::Row(5);
-  const Profile profile = ComputeProfile(mesh, CarveOneByOne(mesh));
+  const Profile profile = ComputeProfile(mesh, small::CarveOneByOne(mesh));
   EXPECT_EQ(profile.Triangles, (std::vector<int>{ 12, 10, 8, 6, 4, 1 }));
   EXPECT_EQ(profile.Vertices, (std::vector<int>{ 8, 7, 6, 5, 4, 3 }));
   EXPECT_EQ(profile.LastStep(), 5);
@@ -42,7 +28,7 @@ TEST(Profile, AgreesWithEveryLevel)
     { inner, small::Joined(small::OuterFaces(), small::Flipped(inner)), small::OuterFaces() })
   {
     const Tetrahedralization mesh = small::NestedTetrahedra(triangles);
-    const Stream stream = CarveOneByOne(mesh);
+    const Stream stream = small::CarveOneByOne(mesh);
     const Profile profile = ComputeProfile(mesh, stream);
     ASSERT_EQ(profile.LastStep(), stream.LastStep());
     for (int step = 0; step <= stream.LastStep(); ++step)

@@ -185,7 +185,7 @@ void CarverOutput::FillLevel(int step, vtkPolyData* output) const
   vtkCellData* cellData = output->GetCellData();
   cellData->CopyAllocate(this->Input->GetCellData(), numberOfTriangles);
   auto priority = MakeArray<vtkDoubleArray>("Priority", numberOfTriangles);
-  auto depth = MakeArray<vtkIntArray>("Depth", numberOfTriangles);
+  auto depth = MakeArray<vtkDoubleArray>("Depth", numberOfTriangles);
   auto originalCells = MakeArray<vtkIdTypeArray>("vtkOriginalCellIds", numberOfTriangles);
   for (vtkIdType i = 0; i < numberOfTriangles; ++i)
   {
@@ -193,7 +193,7 @@ void CarverOutput::FillLevel(int step, vtkPolyData* output) const
     const int behind = level.Constraints[i] < 0 ? level.CellsBehind[i] : -1;
     originalCells->SetValue(i, original);
     priority->SetValue(i, behind < 0 ? NaN : stream.Priority[behind]);
-    depth->SetValue(i, behind < 0 ? 0 : stream.Depth[behind]);
+    depth->SetValue(i, behind < 0 ? 0.0 : stream.Depth[behind]);
     if (original >= 0)
     {
       cellData->CopyData(this->Input->GetCellData(), original, i);
@@ -261,7 +261,7 @@ void CarverOutput::FillStream(vtkUnstructuredGrid* output) const
   types->SetNumberOfValues(numberOfCells);
 
   auto priority = MakeArray<vtkDoubleArray>("Priority", numberOfCells);
-  auto depth = MakeArray<vtkIntArray>("Depth", numberOfCells);
+  auto depth = MakeArray<vtkDoubleArray>("Depth", numberOfCells);
   auto steps = MakeArray<vtkIntArray>("Step", numberOfCells);
   auto region = MakeArray<vtkIntArray>("Region", numberOfCells);
   auto originalCells = MakeArray<vtkIdTypeArray>("vtkOriginalCellIds", numberOfCells);
@@ -287,7 +287,7 @@ void CarverOutput::FillStream(vtkUnstructuredGrid* output) const
     offsets->SetValue(i + 1, 4 * numberOfTetrahedra + 3 * (t + 1));
     types->SetValue(i, VTK_TRIANGLE);
     priority->SetValue(i, NaN);
-    depth->SetValue(i, 0);
+    depth->SetValue(i, 0.0);
     steps->SetValue(i, StepForUser(triangleSteps[t]));
     region->SetValue(i, -1);
     originalCells->SetValue(i, original);

@@ -5,6 +5,7 @@
 #include "CarverOutput.h"
 #include "CompositeTree.h"
 #include "HelperProcess.h"
+#include "InitialDistance.h"
 #include "LevelSelection.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -25,6 +26,7 @@
 struct CarverSession::Leaf
 {
   vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
+  carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
   CarverInput Input;
   carving::Reply Reply;
 };
@@ -157,18 +159,20 @@ std::shared_ptr<CarverSession::Leaf> CarverSession::Tetrahedralize(vtkPolyData* 
 {
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
-    if (leaf->Time == input->GetMTime())
+    if (leaf->Time == input->GetMTime() && leaf->Initial == this->Settings.Initial)
     {
       return leaf;
     }
   }
   const auto leaf = std::make_shared<Leaf>();
   leaf->Time = input->GetMTime();
+  leaf->Initial = this->Settings.Initial;
   std::string error = leaf->Input.Gather(input);
   if (error.empty() && !leaf->Input.Mesh.Triangles.empty())
   {
     const Timer timer(*this, Transfer);
     carving::Job job;
+    job.Initial = leaf->Initial;
     job.Mesh = std::move(leaf->Input.Mesh);
     const HelperProcess::Outcome outcome = HelperProcess::Run(
       job, leaf->Reply,
@@ -199,15 +203,18 @@ bool CarverSession::CarveTetrahedra(CarvedMesh& carved)
 {
   {
     const Timer timer(*this, Classify);
-    carved.Regions = carving::Classify(carved.Mesh);
+    carved.Regions = carving::Classify(carved.Mesh, this->Settings.Solid);
   }
   if (!this->Report(Classify, 1.0))
   {
     return false;
   }
   const Timer timer(*this, Carve);
-  carving::CarveOptions options;
-  options.CarveExposed = this->Settings.CarveExposed;
+  carving::CarveOptions options = this->Settings.Carve;
+  if (this->Settings.DepthIsDistance)
+  {
+    options.Depths = ComputeInitialDistances(carved.Mesh);
+  }
   if (!carving::Carve(carved.Mesh, carved.Regions, options, carved.Stream,
         [this](double fraction) { return this->Report(Carve, fraction); }))
   {
@@ -217,7 +224,8 @@ bool CarverSession::CarveTetrahedra(CarvedMesh& carved)
   double smallest = std::numeric_limits<double>::infinity();
   for (const double priority : carved.Stream.StepPriority)
   {
-    smallest = std::fmin(smallest, priority); // that of step 0 is NaN, which fmin passes over
+    // The priority of step 0 is NaN, which fmin passes over.
+    smallest = std::fmin(smallest, carving::PriorityAsLength(priority, options.Measure));
     carved.FeatureSizes.push_back(smallest);
   }
   return true;

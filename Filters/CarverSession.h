@@ -6,6 +6,7 @@
 #ifndef CarverSession_h
 #define CarverSession_h
 
+#include "Carver.h"
 #include "Profile.h"
 #include "Protocol.h"
 
@@ -25,7 +26,10 @@ struct CarvedMesh;
 /** The properties of the filter that an update depends on. */
 struct CarverSettings
 {
-  bool CarveExposed = true;
+  carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
+  carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
+  carving::CarveOptions Carve;
+  bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy
   int NumberOfLevels = 8;
   std::vector<double> LevelTargets; ///< replace NumberOfLevels if there are any
   bool TargetsAreTriangles = false;

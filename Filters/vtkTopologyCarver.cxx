@@ -115,7 +115,14 @@ int vtkTopologyCarver::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
   CarverSettings settings;
-  settings.CarveExposed = this->CarveExposed;
+  settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
+  settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
+  settings.Carve.Measure = static_cast<carving::PriorityMeasure>(this->PriorityMeasure);
+  settings.Carve.DepthExponent = this->DepthExponent;
+  settings.Carve.BreadthRadius = this->BreadthRadius;
+  settings.Carve.CarveExposed = this->CarveExposed;
+  settings.Carve.CarveVoids = this->CarveVoids;
+  settings.DepthIsDistance = this->DepthMeasure == DISTANCE;
   settings.NumberOfLevels = this->NumberOfLevels;
   settings.LevelTargets = this->Targets;
   settings.TargetsAreTriangles = this->LevelTargetType == TRIANGLES;
@@ -135,7 +142,18 @@ int vtkTopologyCarver::RequestData(
 void vtkTopologyCarver::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  constexpr const char* initials[] = { "CONVEX_HULL", "BOUNDING_BOX" };
+  constexpr const char* measures[] = { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" };
+  constexpr const char* depths[] = { "HIERARCHY", "DISTANCE" };
+  constexpr const char* rules[] = { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" };
+  os << indent << "InitialApproximation: " << initials[this->InitialApproximation] << "\n";
+  os << indent << "PriorityMeasure: " << measures[this->PriorityMeasure] << "\n";
+  os << indent << "DepthExponent: " << this->DepthExponent << "\n";
+  os << indent << "DepthMeasure: " << depths[this->DepthMeasure] << "\n";
+  os << indent << "BreadthRadius: " << this->BreadthRadius << "\n";
   os << indent << "CarveExposed: " << (this->CarveExposed ? "On" : "Off") << "\n";
+  os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
+  os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent
      << "LevelTargetType: " << (this->LevelTargetType == VERTICES ? "VERTICES" : "TRIANGLES")

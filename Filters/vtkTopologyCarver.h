@@ -26,7 +26,7 @@
  * the carved space where the tetrahedralization needs some, are new.
  *
  * Arrays of a level:
- * - cells: `Priority` (double) and `Depth` (int, the hierarchical level of section 5.3) of the
+ * - cells: `Priority` and `Depth` (doubles: q(t) d(t)^-dp and d(t) of equation (2)) of the
  *   tetrahedron behind the face, NaN and 0 for a face of M; `vtkOriginalCellIds`, the input cell,
  *   -1 for a carved face; the input's cell data, 0 on carved faces.
  * - points: the input's point data, exact on input points, on new points interpolated at the
@@ -45,14 +45,10 @@
  *
  * The field data of port 0 has a string array `Notes` if there is something the user should know.
  *
- * **What is solid.** A region that M encloses is solid where the winding number of M is at least one
- * half in magnitude, else it is a void, which is carved too. For a mesh that is neither closed nor
- * consistently oriented that is a guess, and a note says so.
- *
  * **Helper program.** CGAL and TetGen run in a child process, carving-helper, so that no mesh can
  * take this process down and an abort takes effect at once. It is found next to the library or where
  * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept:
- * changing any property of this filter does not run it again.
+ * changing a property of this filter other than InitialApproximation does not run it again.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
  * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and
@@ -79,12 +75,99 @@ public:
   vtkTypeMacro(vtkTopologyCarver, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** What a stream starts from (section 3.1). */
+  enum InitialApproximations
+  {
+    CONVEX_HULL = 0,
+    BOUNDING_BOX = 1
+  };
+
+  /** q, by which tetrahedra are prioritized (section 4). */
+  enum PriorityMeasures
+  {
+    LONGEST_EDGE = 0,
+    VOLUME = 1,
+    CIRCUMRADIUS = 2,
+    EDGE_VOLUME = 3
+  };
+
+  /** d, the depth of a tetrahedron (section 5.3). */
+  enum DepthMeasures
+  {
+    HIERARCHY = 0,
+    DISTANCE = 1
+  };
+
+  /** Which regions that M encloses are solid. */
+  enum SolidRules
+  {
+    NONZERO_WINDING = 0,
+    EVEN_ODD = 1,
+    SURFACE_ONLY = 2
+  };
+
   /** What a level target counts. */
   enum LevelTargets
   {
     VERTICES = 0,
     TRIANGLES = 1
   };
+
+  ///@{
+  /**
+   * The first level, C0. CONVEX_HULL (default) has vertices of the input only. BOUNDING_BOX is the
+   * axis-aligned box around the input, grown by one hundredth of its diagonal on every side so that no
+   * input point lies on it: coarser to begin with, but its corners are new vertices, and while they
+   * last they draw spikes. This is the one property whose change runs the helper program again.
+   */
+  vtkSetClampMacro(InitialApproximation, int, CONVEX_HULL, BOUNDING_BOX);
+  vtkGetMacro(InitialApproximation, int);
+  ///@}
+
+  ///@{
+  /**
+   * q(t), by which the tetrahedra t are prioritized; the highest is carved first (section 4).
+   * - LONGEST_EDGE (default): l, the length of the longest edge. Opens wide gaps before narrow ones
+   *   and varies little between neighbors.
+   * - VOLUME: v. Removes the most volume early; neighbors differ much, which leaves sharp features.
+   * - CIRCUMRADIUS: r, the radius of the circumscribed sphere, at most the hull's diagonal. Close to
+   *   rolling a shrinking ball over M; takes flat tetrahedra early.
+   * - EDGE_VOLUME: the geometric mean of l and the cube root of v, both of the paper's two terms: slivers,
+   *   whose edges are long, come later than by LONGEST_EDGE.
+   */
+  vtkSetClampMacro(PriorityMeasure, int, LONGEST_EDGE, EDGE_VOLUME);
+  vtkGetMacro(PriorityMeasure, int);
+  ///@}
+
+  ///@{
+  /**
+   * dp of equation (2): the priority is q(t) d(t)^-dp, so that the higher the exponent the more evenly
+   * carving advances from all sides instead of digging deep (snaking, section 5.1). At least 0, the
+   * default, by which depth does not matter.
+   */
+  vtkSetClampMacro(DepthExponent, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DepthExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * d(t) of equation (2). HIERARCHY (default): 1 for a tetrahedron on C0, one more than the neighbor
+   * whose carving made it carvable for any other. DISTANCE: that of the centroid from the surface of
+   * C0, in world units.
+   */
+  vtkSetClampMacro(DepthMeasure, int, HIERARCHY, DISTANCE);
+  vtkGetMacro(DepthMeasure, int);
+  ///@}
+
+  ///@{
+  /**
+   * bp of section 5.4, in world units: a step carves all tetrahedra whose centroid lies within this
+   * distance of the popped one's and that a walk among those reaches without crossing M. It avoids
+   * narrow, deep cavities (spiking, section 5.2). At least 0, the default: one tetrahedron a step.
+   */
+  vtkSetClampMacro(BreadthRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BreadthRadius, double);
+  ///@}
 
   ///@{
   /**
@@ -95,6 +178,32 @@ public:
   vtkSetMacro(CarveExposed, bool);
   vtkGetMacro(CarveExposed, bool);
   vtkBooleanMacro(CarveExposed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether voids, regions of the complement that M encloses, are carved too, each from its tetrahedron
+   * of highest priority on (section 3). If not, their walls show on no level. Default on.
+   */
+  vtkSetMacro(CarveVoids, bool);
+  vtkGetMacro(CarveVoids, bool);
+  vtkBooleanMacro(CarveVoids, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which of the regions that M encloses are solid; the others are voids. What reaches the outside
+   * without crossing M is neither.
+   * - NONZERO_WINDING (default): where the winding number of M is at least one half in magnitude.
+   *   Overlapping parts are solid throughout, whichever way they are oriented.
+   * - EVEN_ODD: where the path of fewest crossings from the outside crosses an odd number of triangles.
+   *   Orientation does not matter; shells within shells are solid and hollow by turns.
+   * - SURFACE_ONLY: none. Of a closed mesh the inside is carved too.
+   *
+   * For a mesh that is open or inconsistently oriented the first two may have to guess; a note says so.
+   */
+  vtkSetClampMacro(SolidRule, int, NONZERO_WINDING, SURFACE_ONLY);
+  vtkGetMacro(SolidRule, int);
   ///@}
 
   ///@{
@@ -151,7 +260,14 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
+  int InitialApproximation = CONVEX_HULL;
+  int PriorityMeasure = LONGEST_EDGE;
+  double DepthExponent = 0.0;
+  int DepthMeasure = HIERARCHY;
+  double BreadthRadius = 0.0;
   bool CarveExposed = true;
+  bool CarveVoids = true;
+  int SolidRule = NONZERO_WINDING;
   int NumberOfLevels = 8;
   int LevelTargetType = VERTICES;
   std::vector<double> Targets;

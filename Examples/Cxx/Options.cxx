@@ -15,7 +15,7 @@ const char* const HelpText = R"(NAME
 
 SYNOPSIS
     carve INPUT [-o OUTPUT] [--levels N | --vertices N,N,... | --triangles N,N,...]
-          [--carve-exposed on|off]
+          [PROPERTY OPTIONS]
     carve --help | --version
 
 DESCRIPTION
@@ -48,12 +48,47 @@ OPTIONS
         Instead, a level for each number: the last one that has at most that many
         vertices or triangles, as have all before it.
 
-    --carve-exposed on|off
-        Whether tetrahedra that lose more than one face to the exterior are carved
-        along at once; it saves triangles. Default: on.
-
     --help, --version
         Print this text or the version, and exit.
+
+PROPERTY OPTIONS
+    These set what is carved, and in which order. The sections are those of the
+    paper "Carving for topology simplification of polygonal meshes".
+
+    --initial-approximation convex-hull|bounding-box
+        What level 0 is. The box is grown by a hundredth of its diagonal on every
+        side; its corners are new vertices. Default: convex-hull. (Section 3.1)
+
+    --priority-measure longest-edge|volume|circumradius|edge-volume
+        Which tetrahedra are carved first: those with the longest edge, the largest
+        volume, the largest circumscribed sphere, or the largest geometric mean of
+        the longest edge and the cube root of the volume. Default: longest-edge.
+        (Section 4)
+
+    --depth-exponent X
+        Divides priorities by the depth to the power of X, 0 or more, so that
+        carving advances more evenly from all sides. Default: 0. (Section 5.3)
+
+    --depth-measure hierarchy|distance
+        What depth is: how many tetrahedra lie on the way from level 0, or the
+        distance from it. Default: hierarchy. (Section 5.3)
+
+    --breadth-radius X
+        A step carves all tetrahedra within this distance, in the mesh's units, of
+        the first one. Default: 0, one tetrahedron a step. (Section 5.4)
+
+    --carve-exposed on|off
+        Whether tetrahedra that lose more than one face to the exterior are carved
+        along at once; it saves triangles. Default: on. (Section 3.4)
+
+    --carve-voids on|off
+        Whether hollows that the mesh encloses are carved too. Default: on.
+        (Section 3)
+
+    --solid-rule nonzero-winding|even-odd|surface-only
+        What is solid of the space that the mesh encloses: where the mesh winds
+        around, what an odd number of surfaces separates from the outside, or
+        nothing. Default: nonzero-winding.
 
 OUTPUT
     The table goes to standard output: level, step (how many carving steps were
@@ -121,15 +156,68 @@ std::string ParseSwitch(const std::string& name, const std::string& text, bool& 
   return value || text == "off" ? "" : "--" + name + " wants on or off, not \"" + text + "\"";
 }
 
+/** The index of the text among the choices, which are separated by |. */
+std::string ParseChoice(
+  const std::string& name, const std::string& choices, const std::string& text, int& value)
+{
+  std::istringstream list(choices);
+  int index = 0;
+  for (std::string choice; std::getline(list, choice, '|'); ++index)
+  {
+    if (choice == text)
+    {
+      value = index;
+      return {};
+    }
+  }
+  return "--" + name + " wants " + choices + ", not \"" + text + "\"";
+}
+
+std::string ParseNotNegative(const std::string& name, const std::string& text, double& value)
+{
+  return ToNumber(text, value) && value >= 0.0
+    ? ""
+    : "--" + name + " wants a number of 0 or more, not \"" + text + "\"";
+}
+
+/** Options that set a property of the filter. */
+std::string ParseProperty(const std::string& name, const std::string& text, Options& options)
+{
+  return name == "initial-approximation"
+    ? ParseChoice(name, "convex-hull|bounding-box", text, options.InitialApproximation)
+    : name == "priority-measure" ? ParseChoice(name, "longest-edge|volume|circumradius|edge-volume",
+                                     text, options.PriorityMeasure)
+    : name == "depth-measure" ? ParseChoice(name, "hierarchy|distance", text, options.DepthMeasure)
+    : name == "solid-rule"
+    ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
+    : name == "depth-exponent" ? ParseNotNegative(name, text, options.DepthExponent)
+    : name == "breadth-radius" ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "carve-voids"    ? ParseSwitch(name, text, options.CarveVoids)
+                               : ParseSwitch(name, text, options.CarveExposed);
+}
+
 } // namespace
 
 std::string Parse(int argc, char* argv[], Options& options)
 {
-  const option known[] = { { "output", required_argument, nullptr, 'o' },
-    { "levels", required_argument, nullptr, 'l' }, { "vertices", required_argument, nullptr, 't' },
+  // clang-format off
+  const option known[] = {
+    { "output", required_argument, nullptr, 'o' },
+    { "levels", required_argument, nullptr, 'l' },
+    { "vertices", required_argument, nullptr, 't' },
     { "triangles", required_argument, nullptr, 't' },
-    { "carve-exposed", required_argument, nullptr, 'e' }, { "help", no_argument, nullptr, 'h' },
-    { "version", no_argument, nullptr, 'v' }, {} };
+    { "initial-approximation", required_argument, nullptr, 'p' },
+    { "priority-measure", required_argument, nullptr, 'p' },
+    { "depth-exponent", required_argument, nullptr, 'p' },
+    { "depth-measure", required_argument, nullptr, 'p' },
+    { "breadth-radius", required_argument, nullptr, 'p' },
+    { "carve-exposed", required_argument, nullptr, 'p' },
+    { "carve-voids", required_argument, nullptr, 'p' },
+    { "solid-rule", required_argument, nullptr, 'p' },
+    { "help", no_argument, nullptr, 'h' },
+    { "version", no_argument, nullptr, 'v' },
+    {} };
+  // clang-format on
   opterr = 0;
   bool levelsGiven = false;
   for (int index = 0;;)
@@ -160,6 +248,7 @@ std::string Parse(int argc, char* argv[], Options& options)
           number != std::floor(number))
         {
           error = std::string("--levels wants a whole number above 0, not \"") + optarg + "\"";
+          break;
         }
         options.NumberOfLevels = static_cast<int>(number);
         break;
@@ -167,8 +256,8 @@ std::string Parse(int argc, char* argv[], Options& options)
       case 't':
         error = ParseTargets(known[index].name, optarg, options);
         break;
-      case 'e':
-        error = ParseSwitch(known[index].name, optarg, options.CarveExposed);
+      case 'p':
+        error = ParseProperty(known[index].name, optarg, options);
         break;
       case ':':
         error = "the option " + GetOffender(argv) + " wants a value";

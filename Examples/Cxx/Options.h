@@ -21,7 +21,15 @@ struct Options
   int NumberOfLevels = 8;
   std::vector<double> Targets;
   bool TargetsAreTriangles = false;
+  // As the filter's properties of the same names.
+  int InitialApproximation = 0;
+  int PriorityMeasure = 0;
+  double DepthExponent = 0.0;
+  int DepthMeasure = 0;
+  double BreadthRadius = 0.0;
   bool CarveExposed = true;
+  bool CarveVoids = true;
+  int SolidRule = 0;
 };
 
 /** Returns an empty string or what is wrong with the command line, in one line. */

@@ -104,7 +104,14 @@ int Run(const Options& options, ErrorLog* log)
 
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(mesh);
+  carver->SetInitialApproximation(options.InitialApproximation);
+  carver->SetPriorityMeasure(options.PriorityMeasure);
+  carver->SetDepthExponent(options.DepthExponent);
+  carver->SetDepthMeasure(options.DepthMeasure);
+  carver->SetBreadthRadius(options.BreadthRadius);
   carver->SetCarveExposed(options.CarveExposed);
+  carver->SetCarveVoids(options.CarveVoids);
+  carver->SetSolidRule(options.SolidRule);
   carver->SetNumberOfLevels(options.NumberOfLevels);
   carver->SetLevelTargetType(
     options.TargetsAreTriangles ? vtkTopologyCarver::TRIANGLES : vtkTopologyCarver::VERTICES);

@@ -4,27 +4,13 @@
 #include "Vector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 namespace carving
 {
 namespace
 {
-
-double LongestEdge(const Tetrahedralization& mesh, int cell)
-{
-  double longest = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      longest = std::max(longest,
-        Length(
-          mesh.Surface.Points[mesh.Cells[cell][i]] - mesh.Surface.Points[mesh.Cells[cell][j]]));
-    }
-  }
-  return longest;
-}
 
 struct Entry
 {
@@ -47,18 +33,19 @@ public:
     : Mesh(mesh)
     , Options(options)
     , Out(stream)
+    , Measure(ComputePriorities(mesh, options.Measure))
     , Degree(mesh.Cells.size(), 0)
   {
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
     this->Out.Step.assign(numberOfCells, Stream::Never);
     this->Out.Priority.assign(numberOfCells, std::numeric_limits<double>::quiet_NaN());
-    this->Out.Depth.assign(numberOfCells, 0);
+    this->Out.Depth.assign(numberOfCells, 0.0);
     this->Out.StepPriority.assign(1, std::numeric_limits<double>::quiet_NaN());
     std::vector<Entry> seeds(regions.Regions.size(), { -1.0, -1 });
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
       const RegionKind kind = regions.Kind(cell);
-      if (kind == RegionKind::Solid)
+      if (kind == RegionKind::Solid || (kind == RegionKind::Void && !options.CarveVoids))
       {
         continue;
       }
@@ -66,14 +53,14 @@ public:
       if (kind == RegionKind::Void)
       {
         Entry& seed = seeds[regions.RegionOfCell[cell]];
-        seed = std::max(seed, { LongestEdge(mesh, cell), cell });
+        seed = std::max(seed, { this->ComputePriority(cell, this->ComputeDepth(cell, 1.0)), cell });
         continue;
       }
       for (int f = 0; f < 4; ++f)
       {
         if (mesh.Neighbors[cell][f] < 0 && mesh.Constraints[cell][f] < 0)
         {
-          this->Expose(cell, 1);
+          this->Expose(cell, 1.0);
         }
       }
     }
@@ -81,7 +68,7 @@ public:
     {
       if (seed.Cell >= 0)
       {
-        this->Expose(seed.Cell, 1);
+        this->Expose(seed.Cell, 1.0);
       }
     }
   }
@@ -102,16 +89,16 @@ public:
       this->Queue.pop();
       if (this->Out.Step[top.Cell] != Stream::Never)
       {
-        continue; // an exposed cascade was faster
+        continue; // carved along with another one
       }
       const int step = static_cast<int>(this->Out.StepPriority.size());
       this->Out.StepPriority.push_back(top.Priority);
       taken.assign(1, top.Cell);
       this->Out.Step[top.Cell] = step;
-      // `taken` grows while it is walked: carving a tetrahedron can expose its neighbors.
-      for (std::size_t i = 0; i < taken.size(); ++i)
+      this->WalkBreadth(step, taken);
+      if (this->Options.CarveExposed)
       {
-        this->ExposeNeighbors(taken[i], step, taken);
+        this->CascadeExposed(step, taken);
       }
       carved += static_cast<int>(taken.size());
     }
@@ -119,39 +106,92 @@ public:
   }
 
 private:
+  /** The given depth, or the one in the hierarchy. */
+  double ComputeDepth(int cell, double hierarchical) const
+  {
+    return this->Options.Depths.empty() ? hierarchical : this->Options.Depths[cell];
+  }
+
+  /** Equation (2). */
+  double ComputePriority(int cell, double depth) const
+  {
+    const double exponent = this->Options.DepthExponent;
+    return exponent == 0.0 ? this->Measure[cell] : this->Measure[cell] * std::pow(depth, -exponent);
+  }
+
   /** One more face of the cell adjoins the exterior. */
-  void Expose(int cell, int depth)
+  void Expose(int cell, double hierarchicalDepth)
   {
     if (++this->Degree[cell] == 1)
     {
+      const double depth = this->ComputeDepth(cell, hierarchicalDepth);
       this->Out.Depth[cell] = depth;
-      this->Out.Priority[cell] = LongestEdge(this->Mesh, cell);
+      this->Out.Priority[cell] = this->ComputePriority(cell, depth);
       this->Queue.push({ this->Out.Priority[cell], cell });
     }
   }
 
-  void ExposeNeighbors(int cell, int step, std::vector<int>& taken)
+  /** Calls `visit` with every tetrahedron that carving the cell exposes one more face of. */
+  template <class Visitor>
+  void ForEachCarvableNeighbor(int cell, Visitor&& visit)
   {
     for (int f = 0; f < 4; ++f)
     {
       const int neighbor = this->Mesh.Neighbors[cell][f];
-      if (neighbor < 0 || this->Mesh.Constraints[cell][f] >= 0 ||
-        this->Out.Step[neighbor] != Stream::Never)
+      if (neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 &&
+        this->Out.Step[neighbor] == Stream::Never)
       {
-        continue;
+        visit(neighbor);
       }
-      this->Expose(neighbor, this->Out.Depth[cell] + 1);
-      if (this->Options.CarveExposed && this->Degree[neighbor] > 1)
-      {
-        this->Out.Step[neighbor] = step;
-        taken.push_back(neighbor);
-      }
+    }
+  }
+
+  /** Carves from the popped tetrahedron outward to the radius; `taken` grows while it is walked. */
+  void WalkBreadth(int step, std::vector<int>& taken)
+  {
+    const double radius = this->Options.BreadthRadius;
+    const Point center = this->Mesh.Centroid(taken[0]);
+    for (std::size_t i = 0; i < taken.size(); ++i)
+    {
+      this->ForEachCarvableNeighbor(taken[i],
+        [&](int neighbor)
+        {
+          this->Expose(neighbor, this->Out.Depth[taken[i]] + 1.0);
+          if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius)
+          {
+            this->Out.Step[neighbor] = step;
+            taken.push_back(neighbor);
+          }
+        });
+    }
+  }
+
+  /** Carves what `taken` exposed, and what that exposes in turn. */
+  void CascadeExposed(int step, std::vector<int>& taken)
+  {
+    const std::size_t walked = taken.size();
+    for (std::size_t i = 0; i < taken.size(); ++i)
+    {
+      this->ForEachCarvableNeighbor(taken[i],
+        [&](int neighbor)
+        {
+          if (i >= walked) // the walk has counted the faces of its own neighbors
+          {
+            this->Expose(neighbor, this->Out.Depth[taken[i]] + 1.0);
+          }
+          if (this->Degree[neighbor] > 1)
+          {
+            this->Out.Step[neighbor] = step;
+            taken.push_back(neighbor);
+          }
+        });
     }
   }
 
   const Tetrahedralization& Mesh;
   const CarveOptions& Options;
   Stream& Out;
+  std::vector<double> Measure;
   std::vector<unsigned char> Degree;
   std::priority_queue<Entry> Queue;
   int NumberToCarve = 0;

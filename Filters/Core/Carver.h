@@ -8,6 +8,7 @@
 
 #include "Classification.h"
 #include "Mesh.h"
+#include "Priority.h"
 #include "Progress.h"
 
 #include <limits>
@@ -18,8 +19,23 @@ namespace carving
 
 struct CarveOptions
 {
+  PriorityMeasure Measure = PriorityMeasure::LongestEdge;
+  /** dp >= 0 of equation (2): a priority is divided by the depth to the power of dp. */
+  double DepthExponent = 0.0;
+  /**
+   * The depth d of every tetrahedron, above 0. Empty: its level in the hierarchy of section 5.3,
+   * 1 on C0, one more than the neighbor whose carving made it carvable elsewhere.
+   */
+  std::vector<double> Depths;
+  /**
+   * bp >= 0 of section 5.4: a step carves all tetrahedra whose centroid lies within this distance of
+   * the popped one's and that a walk among those reaches. 0: the popped one alone.
+   */
+  double BreadthRadius = 0.0;
   /** Exposed neighbors of a carved tetrahedron follow in the same step (section 3.4). */
   bool CarveExposed = true;
+  /** Voids are opened, each at its tetrahedron of highest priority (section 3). */
+  bool CarveVoids = true;
 };
 
 /**
@@ -34,10 +50,10 @@ struct Stream
 
   /** Per tetrahedron: it is missing from every C_j with j >= Step. `Never` where it stays. */
   std::vector<int> Step;
-  /** Per tetrahedron: its priority, the length of its longest edge; NaN where it stays. */
+  /** Per tetrahedron: its priority, with depth taken into account; NaN where it stays. */
   std::vector<double> Priority;
-  /** Per tetrahedron: its level in the hierarchy of section 5.3, from 1; 0 where it stays. */
-  std::vector<int> Depth;
+  /** Per tetrahedron: its depth; 0 where it stays. */
+  std::vector<double> Depth;
   /** Per step: the priority of the tetrahedron that was popped; NaN for step 0. */
   std::vector<double> StepPriority;
 
@@ -49,8 +65,8 @@ struct Stream
 };
 
 /**
- * Carves the complement, longest edge first (section 4), ties by the smaller tetrahedron index.
- * Exposed tetrahedra are those of degree above one. Every void is opened at its tetrahedron of highest priority (section 3).
+ * Carves the complement, highest priority first, ties by the smaller tetrahedron index. Exposed
+ * tetrahedra are those of degree above one.
  *
  * Returns false when `progress` asked to stop; `stream` is then incomplete.
  */

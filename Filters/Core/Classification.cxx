@@ -5,6 +5,10 @@
 #include "Winding.h"
 
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 namespace carving
 {
@@ -23,19 +27,6 @@ double SixCellVolume(const Tetrahedralization& mesh, int cell)
   const std::array<int, 4>& c = mesh.Cells[cell];
   const std::vector<Point>& p = mesh.Surface.Points;
   return SixVolume(p[c[0]], p[c[1]], p[c[2]], p[c[3]]);
-}
-
-Point Centroid(const Tetrahedralization& mesh, int cell)
-{
-  Point sum = { 0.0, 0.0, 0.0 };
-  for (const int corner : mesh.Cells[cell])
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      sum[i] += 0.25 * mesh.Surface.Points[corner][i];
-    }
-  }
-  return sum;
 }
 
 /** Fills the regions and marks as Void, for now, all that are enclosed; returns their largest cells. */
@@ -93,14 +84,18 @@ std::vector<int> FindRegions(const Tetrahedralization& mesh, Classification& res
   return largestCells;
 }
 
-/** Winding numbers of a closed M: a walk from the outside adds up the triangles that it crosses. */
-void CountCrossings(const Tetrahedralization& mesh, Classification& result)
+/** From one region into another through a triangle of M. */
+struct Crossing
 {
-  struct Crossing
-  {
-    int Region;
-    int Change;
-  };
+  int Region;
+  int Winding; ///< by how much the winding number changes
+  int Count;   ///< how many triangles are crossed
+};
+
+/** The crossings out of each region; the last entry is the outside's. */
+std::vector<std::vector<Crossing>> FindCrossings(
+  const Tetrahedralization& mesh, const Classification& result)
+{
   const int outside = static_cast<int>(result.Regions.size());
   std::vector<std::vector<Crossing>> crossings(outside + 1);
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
@@ -118,64 +113,155 @@ void CountCrossings(const Tetrahedralization& mesh, Classification& result)
       const bool behind = SameDirection(
         mesh.OutwardFace(static_cast<int>(cell), f), mesh.Surface.Triangles[triangle]);
       const int winding = mesh.Surface.Windings[triangle];
-      crossings[from].push_back({ to, behind ? winding : -winding });
+      crossings[from].push_back({ to, behind ? winding : -winding, mesh.Surface.Counts[triangle] });
     }
   }
-  std::vector<char> known(outside + 1, 0);
-  std::vector<int> stack = { outside };
-  known[outside] = 1;
-  for (int region = 0; region < outside; ++region)
+  return crossings;
+}
+
+/** All regions that are the outside or joined to it. */
+std::vector<int> FindOutside(const Classification& result)
+{
+  std::vector<int> outside = { static_cast<int>(result.Regions.size()) };
+  for (std::size_t region = 0; region < result.Regions.size(); ++region)
   {
     if (result.Regions[region].Kind == RegionKind::Outside)
     {
-      known[region] = 1;
-      stack.push_back(region);
+      outside.push_back(static_cast<int>(region));
     }
+  }
+  return outside;
+}
+
+/** Winding numbers of a closed M: a walk from the outside adds up the triangles that it crosses. */
+void CountWindings(const Tetrahedralization& mesh, Classification& result)
+{
+  const auto crossings = FindCrossings(mesh, result);
+  std::vector<int> stack = FindOutside(result);
+  std::vector<int> windings(crossings.size(), 0);
+  std::vector<char> known(crossings.size(), 0);
+  for (const int region : stack)
+  {
+    known[region] = 1;
   }
   while (!stack.empty())
   {
     const int from = stack.back();
     stack.pop_back();
-    const double winding = from == outside ? 0.0 : result.Regions[from].Winding;
     for (const Crossing& crossing : crossings[from])
     {
       if (!known[crossing.Region])
       {
         known[crossing.Region] = 1;
-        result.Regions[crossing.Region].Winding = winding + crossing.Change;
+        windings[crossing.Region] = windings[from] + crossing.Winding;
         stack.push_back(crossing.Region);
       }
+    }
+  }
+  for (std::size_t region = 0; region < result.Regions.size(); ++region)
+  {
+    result.Regions[region].Winding = windings[region];
+  }
+}
+
+/** Winding numbers of any M: solid angles, at the centroid of a region's largest tetrahedron. */
+void MeasureWindings(
+  const Tetrahedralization& mesh, const std::vector<int>& largestCells, Classification& result)
+{
+  for (std::size_t r = 0; r < result.Regions.size(); ++r)
+  {
+    Region& region = result.Regions[r];
+    if (region.Kind != RegionKind::Outside)
+    {
+      region.Winding = WindingNumber(mesh.Surface, mesh.Centroid(largestCells[r]));
+      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > 0.1;
+    }
+  }
+}
+
+/** By parity: solid is what an odd number of triangles separates from the outside. */
+void ClassifyByParity(const Tetrahedralization& mesh, Classification& result)
+{
+  // Dijkstra's shortest paths by the number of triangles crossed.
+  using Entry = std::pair<int, int>; // crossed so far, region
+  const auto crossings = FindCrossings(mesh, result);
+  std::vector<int> crossed(crossings.size(), std::numeric_limits<int>::max());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (const int region : FindOutside(result))
+  {
+    crossed[region] = 0;
+    queue.push({ 0, region });
+  }
+  while (!queue.empty())
+  {
+    const auto [distance, from] = queue.top();
+    queue.pop();
+    if (distance > crossed[from])
+    {
+      continue;
+    }
+    for (const Crossing& crossing : crossings[from])
+    {
+      const int through = distance + crossing.Count;
+      if (through < crossed[crossing.Region])
+      {
+        crossed[crossing.Region] = through;
+        queue.push({ through, crossing.Region });
+      }
+    }
+  }
+  for (std::size_t from = 0; from < crossings.size(); ++from)
+  {
+    for (const Crossing& crossing : crossings[from])
+    {
+      Region& region = result.Regions[crossing.Region];
+      const bool odd = crossed[crossing.Region] % 2 != 0;
+      if (region.Kind != RegionKind::Outside)
+      {
+        region.Kind = odd ? RegionKind::Solid : RegionKind::Void;
+        // Another way in has another parity.
+        region.Guessed = region.Guessed || ((crossed[from] + crossing.Count) % 2 != 0) != odd;
+      }
+    }
+  }
+}
+
+void ClassifyByWinding(
+  const Tetrahedralization& mesh, const std::vector<int>& largestCells, Classification& result)
+{
+  if (IsClosed(mesh.Surface))
+  {
+    CountWindings(mesh, result);
+  }
+  else
+  {
+    MeasureWindings(mesh, largestCells, result);
+  }
+  for (Region& region : result.Regions)
+  {
+    if (region.Kind != RegionKind::Outside && std::abs(region.Winding) >= 0.5)
+    {
+      region.Kind = RegionKind::Solid;
     }
   }
 }
 
 } // namespace
 
-Classification Classify(const Tetrahedralization& mesh)
+Classification Classify(const Tetrahedralization& mesh, SolidRule rule)
 {
   Classification result;
   const std::vector<int> largestCells = FindRegions(mesh, result);
-  const bool closed = IsClosed(mesh.Surface);
-  if (closed)
+  switch (rule)
   {
-    CountCrossings(mesh, result);
-  }
-  for (std::size_t r = 0; r < result.Regions.size(); ++r)
-  {
-    Region& region = result.Regions[r];
-    if (region.Kind == RegionKind::Outside)
-    {
-      continue;
-    }
-    if (!closed)
-    {
-      region.Winding = WindingNumber(mesh.Surface, Centroid(mesh, largestCells[r]));
-      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > 0.1;
-    }
-    if (std::abs(region.Winding) >= 0.5)
-    {
-      region.Kind = RegionKind::Solid;
-    }
+    case SolidRule::NonzeroWinding:
+      ClassifyByWinding(mesh, largestCells, result);
+      break;
+    case SolidRule::EvenOdd:
+      ClassifyByParity(mesh, result);
+      break;
+    case SolidRule::SurfaceOnly:
+      break; // nothing is solid
   }
   return result;
 }

@@ -20,12 +20,31 @@ enum class RegionKind
   Solid
 };
 
+/** Which of the regions that M encloses are solid. */
+enum class SolidRule : int
+{
+  /**
+   * Where the winding number is at least one half in magnitude. Of a closed M it follows from the
+   * outside's by counting crossings; else it is the sum of solid angles at the centroid of the
+   * region's largest tetrahedron.
+   */
+  NonzeroWinding = 0,
+  /** Where the path of fewest crossings from the outside crosses an odd number of triangles. */
+  EvenOdd = 1,
+  /** None: M is a surface without inside. */
+  SurfaceOnly = 2
+};
+
 /** A maximal set of tetrahedra that non-constraining faces join. */
 struct Region
 {
   RegionKind Kind = RegionKind::Outside;
-  double Winding = 0.0; ///< winding number of M, 0 for a region of kind Outside
-  bool Guessed = false; ///< the winding number is not within 0.1 of an integer: M is open there
+  double Winding = 0.0; ///< by NonzeroWinding: the winding number, 0 for a region of kind Outside
+  /**
+   * The rule had to guess, since M is open or inconsistently oriented: the winding number is not
+   * within 0.1 of an integer, or parity depends on the path.
+   */
+  bool Guessed = false;
 };
 
 struct Classification
@@ -40,12 +59,10 @@ struct Classification
 };
 
 /**
- * Regions, numbered in the order of their first tetrahedron, and by nonzero winding whether each is
- * solid: an enclosed region is where its winding number is at least one half in magnitude. Of a
- * closed M the numbers follow from the outside's by counting crossings; else they are the sum of
- * solid angles at the centroid of the region's largest tetrahedron.
+ * Regions, numbered in the order of their first tetrahedron. What reaches the outside without crossing
+ * M is never solid.
  */
-Classification Classify(const Tetrahedralization& mesh);
+Classification Classify(const Tetrahedralization& mesh, SolidRule rule = SolidRule::NonzeroWinding);
 
 } // namespace carving
 

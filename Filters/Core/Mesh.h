@@ -63,6 +63,19 @@ struct Tetrahedralization
     const std::array<int, 4>& c = this->Cells[cell];
     return { c[corners[f][0]], c[corners[f][1]], c[corners[f][2]] };
   }
+
+  Point Centroid(int cell) const
+  {
+    Point sum = { 0.0, 0.0, 0.0 };
+    for (const int corner : this->Cells[cell])
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        sum[i] += 0.25 * this->Surface.Points[corner][i];
+      }
+    }
+    return sum;
+  }
 };
 
 } // namespace carving

@@ -14,7 +14,7 @@ namespace
 {
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '1' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '2' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '1' };
 
 class Writer
@@ -119,6 +119,7 @@ template <class Archive, class JobType>
 void VisitJob(Archive& archive, JobType& job)
 {
   archive.Value(job.Kind);
+  archive.Value(job.Initial);
   archive.Array(job.Mesh.Points);
   archive.Array(job.Mesh.Triangles);
 }
@@ -239,6 +240,11 @@ std::string Read(const char* data, std::size_t size, Job& job)
   if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections)
   {
     return "the job is of an unknown kind";
+  }
+  if (job.Initial != InitialApproximation::ConvexHull &&
+    job.Initial != InitialApproximation::BoundingBox)
+  {
+    return "the job wants an unknown initial approximation";
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()))
   {

@@ -27,9 +27,19 @@ enum class JobKind : int
   CountIntersections = 2
 };
 
+/** What bounds the tetrahedra (section 3.1). */
+enum class InitialApproximation : int
+{
+  ConvexHull = 0,
+  /** The bounding box, grown by BoxMargin of its diagonal on every side. */
+  BoundingBox = 1
+};
+constexpr double BoxMargin = 0.01;
+
 struct Job
 {
   JobKind Kind = JobKind::Tetrahedralize;
+  InitialApproximation Initial = InitialApproximation::ConvexHull;
   TriangleMesh Mesh;
 };
 

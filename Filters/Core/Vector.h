@@ -8,7 +8,9 @@
 
 #include "Mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace carving
 {
@@ -31,6 +33,20 @@ inline Point Cross(const Point& a, const Point& b)
 inline double Length(const Point& a)
 {
   return std::sqrt(Dot(a, a));
+}
+
+/** The corners of the bounding box of at least one point. */
+inline void GetBounds(const std::vector<Point>& points, Point& lower, Point& upper)
+{
+  lower = upper = points.front();
+  for (const Point& p : points)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      lower[i] = std::min(lower[i], p[i]);
+      upper[i] = std::max(upper[i], p[i]);
+    }
+  }
 }
 
 /** Six times the signed volume of the tetrahedron (a, b, c, d). */

@@ -2,6 +2,8 @@
 #include "Tetrahedralize.h"
 
 #include "Kernels.h"
+#include "Protocol.h"
+#include "Vector.h"
 
 #include <tetgen.h>
 
@@ -27,11 +29,11 @@ bool IsFlat(const std::vector<Point>& points, const std::vector<Triangle>& trian
     });
 }
 
-void Fill(tetgenio& io, const ResolvedMesh& surface)
+void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& surface)
 {
-  io.numberofpoints = static_cast<int>(surface.Points.size());
-  io.pointlist = new REAL[3 * surface.Points.size()];
-  std::copy_n(surface.Points.front().data(), 3 * surface.Points.size(), io.pointlist);
+  io.numberofpoints = static_cast<int>(points.size());
+  io.pointlist = new REAL[3 * points.size()];
+  std::copy_n(points.front().data(), 3 * points.size(), io.pointlist);
   io.numberoffacets = static_cast<int>(surface.Triangles.size());
   io.facetlist = new tetgenio::facet[surface.Triangles.size()];
   for (int i = 0; i < io.numberoffacets; ++i)
@@ -94,19 +96,39 @@ std::size_t FindConstraints(Tetrahedralization& result)
 
 } // namespace
 
-std::string Tetrahedralize(Tetrahedralization& result)
+std::vector<Point> GrownBox(const std::vector<Point>& points)
+{
+  Point lower, upper;
+  GetBounds(points, lower, upper);
+  const double margin = BoxMargin * Length(upper - lower);
+  std::vector<Point> corners;
+  for (int i = 0; i < 8; ++i)
+  {
+    Point corner;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      corner[axis] = i >> axis & 1 ? upper[axis] + margin : lower[axis] - margin;
+    }
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
+std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
   if (surface.Triangles.empty())
   {
     return "No triangle of the mesh has an area: there is nothing to carve out.";
   }
-  if (IsFlat(surface.Points, surface.Triangles))
+  std::vector<Point> points = surface.Points;
+  points.insert(points.end(), further.begin(), further.end());
+  if (IsFlat(points, surface.Triangles))
   {
     return "All points lie in one plane, so that their convex hull has no volume to carve.";
   }
   tetgenio in, out;
-  Fill(in, surface);
+  Fill(in, points, surface);
   // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
   // optimization, it costs ten times the rest; T: the default tolerance merges near vertices;
   // n: neighbors; J: keep the numbering of points; Q: quiet.

@@ -5,15 +5,20 @@
 #include "Mesh.h"
 
 #include <string>
+#include <vector>
 
 /**
- * Constrained Delaunay tetrahedralization of the convex hull of a resolved mesh, by TetGen and
- * without Steiner points on the surface: every triangle of the mesh is a face of it.
+ * Constrained Delaunay tetrahedralization of the convex hull of a resolved mesh and of further points,
+ * by TetGen and without Steiner points on the surface: every triangle of the mesh is a face of it.
  *
- * Fills the other members of `result`, whose `Surface` is given, and appends Steiner points, all of
- * them off the surface. Returns an empty string or what went wrong. Where TetGen fails it may as
+ * Fills the other members of `result`, whose `Surface` is given, and appends the further points and
+ * Steiner points, all of them off the surface. Returns an empty string or what went wrong. Where TetGen fails it may as
  * well end the process: its assertions are on, and it frees memory twice when it gives up.
  */
-std::string Tetrahedralize(carving::Tetrahedralization& result);
+std::string Tetrahedralize(
+  const std::vector<carving::Point>& further, carving::Tetrahedralization& result);
+
+/** The corners of the points' bounding box, grown by BoxMargin of its diagonal on every side. */
+std::vector<carving::Point> GrownBox(const std::vector<carving::Point>& points);
 
 #endif

@@ -97,7 +97,10 @@ void TetrahedralizeGiven(const Job& job, Reply& reply)
   if (reply.Error.empty())
   {
     reporter.Begin(Stage::Tetrahedralize);
-    reply.Error = Tetrahedralize(reply.Result);
+    const bool box = job.Initial == InitialApproximation::BoundingBox;
+    const std::vector<Point>& points = reply.Result.Surface.Points;
+    reply.Error = Tetrahedralize(
+      box && !points.empty() ? GrownBox(points) : std::vector<Point>(), reply.Result);
     reporter.End();
   }
 }

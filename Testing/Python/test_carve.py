@@ -95,7 +95,9 @@ class TestCarve(unittest.TestCase):
         run = self.run_carve("--help")
         self.assertEqual(run.returncode, 0)
         for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES",
-                     "--output", "--levels", "--vertices", "--triangles", "--carve-exposed"):
+                     "--output", "--levels", "--vertices", "--triangles", "--initial-approximation",
+                     "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
+                     "--carve-exposed", "--carve-voids", "--solid-rule"):
             self.assertIn(word, run.stdout)
 
     def test_prints_its_version(self):
@@ -126,6 +128,21 @@ class TestCarve(unittest.TestCase):
         on = self.table(BONES, "--vertices", "1000")
         off = self.table(BONES, "--vertices", "1000", "--carve-exposed", "off")
         self.assertGreater(off[0][3], on[0][3])
+
+    def test_sets_every_property(self):
+        """Each property option changes the table of the bones, and each of its values is taken."""
+        plain = self.table(BONES)
+        for option, values in (("--initial-approximation", ("bounding-box",)),
+                               ("--priority-measure", ("volume", "circumradius", "edge-volume")),
+                               ("--depth-exponent", ("2", "0.5")),
+                               ("--breadth-radius", ("0.5",)),
+                               ("--solid-rule", ("even-odd", "surface-only"))):
+            for value in values:
+                self.assertNotEqual(self.table(BONES, option, value), plain, (option, value))
+        self.assertNotEqual(self.table(BONES, "--depth-exponent", "1", "--depth-measure", "distance"),
+                            self.table(BONES, "--depth-exponent", "1", "--depth-measure", "hierarchy"))
+        self.assertNotEqual(self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "off"),
+                            self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "on"))
 
     # What it reads
 
@@ -211,6 +228,9 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "not together")
         self.expect_failure(self.run_carve(BONES, "--levels", "9", "--triangles", "9"), 2, "--levels")
         self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "on or off")
+        self.expect_failure(self.run_carve(BONES, "--solid-rule", "odd"), 2, "even-odd")
+        for number in ("-1", "deep", "inf", ""):
+            self.expect_failure(self.run_carve(BONES, "--depth-exponent", number), 2, "--depth-exponent")
 
     def test_refuses_a_wrong_file(self):
         """Exit code 1 and a line that names the file: missing, a folder, of an unknown or another format."""

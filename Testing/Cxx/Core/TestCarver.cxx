@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carver.h"
 #include "SmallMeshes.h"
+#include "Vector.h"
 
 #include <gtest/gtest.h>
 
@@ -147,4 +148,104 @@ TEST(Carver, ReportsProgress)
     });
   EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
   EXPECT_EQ(reports.back(), 1.0);
+}
+
+// The volume measure carves the largest tetrahedron first, the longest edge or not.
+TEST(Carver, CarvesByVolume)
+{
+  // A needle with a long edge, and a bulky tetrahedron apart from it.
+  const std::vector<Point> points = { { 0, 0, 0 }, { 9, 0, 0 }, { 0, 0.1, 0 }, { 0, 0, 0.1 },
+    { 20, 0, 0 }, { 23, 0, 0 }, { 20, 3, 0 }, { 20, 0, 3 } };
+  const Tetrahedralization mesh = small::Assemble(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {});
+  CarveOptions options;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 2 }));
+  options.Measure = PriorityMeasure::Volume;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
+  EXPECT_NEAR(stream.StepPriority[1], 27.0 / 6.0, 1e-12);
+}
+
+// Equation (2): with dp = 1 a tetrahedron of depth 2 counts half.
+TEST(Carver, DividesPriorityByAPowerOfDepth)
+{
+  const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
+  CarveOptions options;
+  options.CarveExposed = false;
+  Stream plain, deep;
+  Carve(mesh, Classify(mesh), options, plain);
+  options.DepthExponent = 2.0;
+  Carve(mesh, Classify(mesh), options, deep);
+  const std::vector<double> priorities = ComputePriorities(mesh, PriorityMeasure::LongestEdge);
+  for (int cell = 0; cell < 12; ++cell)
+  {
+    EXPECT_EQ(plain.Priority[cell], priorities[cell]);
+    EXPECT_NEAR(
+      deep.Priority[cell], priorities[cell] / (deep.Depth[cell] * deep.Depth[cell]), 1e-12);
+  }
+}
+
+// Depths that are given replace those of the hierarchy.
+TEST(Carver, TakesGivenDepths)
+{
+  const Tetrahedralization mesh = small::Row(3);
+  CarveOptions options;
+  options.CarveExposed = false;
+  options.DepthExponent = 1.0;
+  options.Depths = { 100.0, 10.0, 1.0 };
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 3, 2, 1 }));
+  EXPECT_EQ(stream.Depth, options.Depths);
+}
+
+// A step takes along what lies within the breadth radius, and nothing that lies farther.
+TEST(Carver, CarvesWithinTheBreadthRadius)
+{
+  const Tetrahedralization mesh = small::Row(12);
+  CarveOptions options;
+  options.CarveExposed = false;
+  options.BreadthRadius = 1.0;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  // In a row the walk ends at the first tetrahedron that is too far away.
+  int step = 1, first = 0;
+  for (int cell = 0; cell < 12; ++cell)
+  {
+    if (Length(mesh.Centroid(cell) - mesh.Centroid(first)) > options.BreadthRadius)
+    {
+      ++step;
+      first = cell;
+    }
+    EXPECT_EQ(stream.Step[cell], step);
+  }
+  EXPECT_GT(step, 1);
+  EXPECT_LT(step, 12);
+}
+
+// A radius larger than the mesh carves all that can be reached in one step, but not through M.
+TEST(Carver, DoesNotWalkThroughConstrainingFaces)
+{
+  const Tetrahedralization mesh =
+    small::NestedTetrahedra(small::Joined(small::InnerFaces(), { { 0, 1, 4 }, { 1, 5, 4 } }));
+  CarveOptions options;
+  options.BreadthRadius = 100.0;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.LastStep(), 1);
+  EXPECT_EQ(stream.Step[12], Stream::Never);
+}
+
+// Voids can be left closed.
+TEST(Carver, LeavesVoidsIfWanted)
+{
+  const Tetrahedralization mesh = small::NestedTetrahedra(
+    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
+  CarveOptions options;
+  options.CarveVoids = false;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.LastStep(), 0);
+  EXPECT_EQ(stream.Step[12], Stream::Never);
 }

@@ -87,3 +87,49 @@ TEST(Classification, RecordsThatItHadToGuess)
   ASSERT_EQ(result.Regions.size(), 1u);
   EXPECT_TRUE(result.Regions[0].Guessed);
 }
+
+// By even-odd, shells within shells are solid and hollow by turns, whichever way they are oriented.
+TEST(Classification, AlternatesByEvenOdd)
+{
+  for (const auto& inner : { small::InnerFaces(), small::Flipped(small::InnerFaces()) })
+  {
+    const Tetrahedralization mesh =
+      small::NestedTetrahedra(small::Joined(small::OuterFaces(), inner));
+    const Classification result = Classify(mesh, SolidRule::EvenOdd);
+    EXPECT_EQ(result.Kind(0), RegionKind::Solid);
+    EXPECT_EQ(result.Kind(12), RegionKind::Void);
+    EXPECT_FALSE(result.Regions[result.RegionOfCell[12]].Guessed);
+  }
+}
+
+// A triangle that stands for two counts as two.
+TEST(Classification, CountsMergedTrianglesByEvenOdd)
+{
+  Tetrahedralization mesh =
+    small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
+  for (std::size_t i = 4; i < 8; ++i)
+  {
+    mesh.Surface.Counts[i] = 2;
+  }
+  const Classification result = Classify(mesh, SolidRule::EvenOdd);
+  EXPECT_EQ(result.Kind(0), RegionKind::Solid);
+  EXPECT_EQ(result.Kind(12), RegionKind::Solid);
+}
+
+// Where parity depends on the path, even-odd says that it has guessed.
+TEST(Classification, RecordsThatParityDependsOnThePath)
+{
+  Tetrahedralization mesh = small::NestedTetrahedra(small::OuterFaces());
+  mesh.Surface.Counts[2] = 2;
+  EXPECT_TRUE(Classify(mesh, SolidRule::EvenOdd).Regions[0].Guessed);
+}
+
+// As a surface only, a closed mesh has no solid.
+TEST(Classification, FindsNoSolidInASurface)
+{
+  const Classification result =
+    Classify(small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces())),
+      SolidRule::SurfaceOnly);
+  EXPECT_EQ(result.Kind(0), RegionKind::Void);
+  EXPECT_EQ(result.Kind(12), RegionKind::Void);
+}

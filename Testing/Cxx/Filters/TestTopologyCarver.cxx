@@ -346,8 +346,10 @@ TEST(TopologyCarver, PrintsItself)
   carver->AddLevelTarget(123);
   std::ostringstream text;
   carver->Print(text);
-  for (const char* expected :
-    { "CarveExposed: On", "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
+  for (const char* expected : { "InitialApproximation: CONVEX_HULL",
+         "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0", "DepthMeasure: HIERARCHY",
+         "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On", "SolidRule: NONZERO_WINDING",
+         "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
   {
     EXPECT_NE(text.str().find(expected), std::string::npos) << expected;
   }

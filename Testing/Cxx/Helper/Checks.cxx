@@ -93,6 +93,33 @@ double SixVolume(const std::vector<Point>& points, const std::vector<Triangle>& 
   return sum;
 }
 
+bool Encloses(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& point)
+{
+  // Parity of crossings on the way out, in a direction that is in line with nothing.
+  const Inexact::Point_3 p = ToInexact(point);
+  const Inexact::Point_3 q = p + Inexact::Vector_3(1234.56789, 2718.28182, 3141.59265);
+  bool inside = false;
+  for (const Triangle& t : triangles)
+  {
+    const Inexact::Point_3 a = ToInexact(points[t[0]]), b = ToInexact(points[t[1]]),
+                           c = ToInexact(points[t[2]]);
+    const auto sideOfP = CGAL::orientation(a, b, c, p);
+    if (sideOfP == CGAL::COPLANAR)
+    {
+      if (CGAL::do_intersect(Inexact::Triangle_3(a, b, c), p))
+      {
+        return true;
+      }
+      continue;
+    }
+    const auto ab = CGAL::orientation(p, q, a, b);
+    inside ^= sideOfP != CGAL::orientation(a, b, c, q) && ab == CGAL::orientation(p, q, b, c) &&
+      ab == CGAL::orientation(p, q, c, a);
+  }
+  return inside;
+}
+
 Hull ConvexHull(const std::vector<Point>& points)
 {
   std::vector<Inexact::Point_3> all;

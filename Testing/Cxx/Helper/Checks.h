@@ -21,6 +21,10 @@ int CountCrossings(
 double SixVolume(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
 
+/** Whether a closed surface has a point on or inside it. Exact. */
+bool Encloses(const std::vector<carving::Point>& points,
+  const std::vector<carving::Triangle>& triangles, const carving::Point& point);
+
 /** The vertices of the convex hull, sorted, and six times its volume. */
 struct Hull
 {

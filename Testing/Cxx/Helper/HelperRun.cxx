@@ -31,12 +31,17 @@ HelperRun RunHelper(const std::string& input)
   return run;
 }
 
+HelperRun RunHelper(const carving::Job& job)
+{
+  std::ostringstream bytes;
+  carving::Write(bytes, job);
+  return RunHelper(bytes.str());
+}
+
 HelperRun RunHelper(const carving::TriangleMesh& mesh, carving::JobKind kind)
 {
   carving::Job job;
   job.Kind = kind;
   job.Mesh = mesh;
-  std::ostringstream bytes;
-  carving::Write(bytes, job);
-  return RunHelper(bytes.str());
+  return RunHelper(job);
 }

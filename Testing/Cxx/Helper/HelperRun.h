@@ -24,6 +24,7 @@ struct HelperRun
 };
 
 HelperRun RunHelper(const std::string& input);
+HelperRun RunHelper(const carving::Job& job);
 HelperRun RunHelper(
   const carving::TriangleMesh& mesh, carving::JobKind kind = carving::JobKind::Tetrahedralize);
 

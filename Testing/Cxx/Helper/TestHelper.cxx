@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace carving;
 
 namespace
@@ -94,6 +96,29 @@ TEST(Helper, ResolvesAndCountsIntersections)
     run.Reply.IntersectingPairs);
 }
 
+// In a box grown by a hundredth of its diagonal, the tetrahedra fill that, and even a flat mesh has a
+// volume to carve.
+TEST(Helper, FillsAGrownBox)
+{
+  const double margin = 0.01 * std::sqrt(3.0);
+  Job job;
+  job.Initial = InitialApproximation::BoundingBox;
+  job.Mesh = models::Sphere(1);
+  for (Point& p : job.Mesh.Points)
+  {
+    p = { 0.5 + 0.5 * p[0], 0.5 + 0.5 * p[1], 0.5 + 0.5 * p[2] };
+  }
+  job.Mesh = models::Joined(job.Mesh, models::Box({ 0, 0, 0 }, { 1, 1, 1 }));
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
+  EXPECT_NEAR(SixVolume(run.Reply.Result), 6.0 * std::pow(1.0 + 2.0 * margin, 3), 1e-9);
+
+  job.Mesh = models::Sheet(2);
+  const HelperRun flat = RunHelper(job);
+  ASSERT_TRUE(flat.Succeeded()) << flat.Reply.Error << flat.Mistake;
+  EXPECT_EQ(flat.Reply.Result.Surface.Points.size(), 9u + 8u);
+}
+
 // Counting intersections of a mesh that has none gives 0.
 TEST(Helper, CountsNoIntersectionsInACleanMesh)
 {
@@ -121,7 +146,7 @@ TEST(Helper, RefusesAMeshWithoutArea)
 // Fed with garbage, with half a job or with nothing, the helper answers nothing and exits with 2.
 TEST(Helper, RefusesGarbage)
 {
-  for (const char* garbage : { "", "garbage", "CARVJOB1", "CARVJOB1\1\0\0\0\377\377\377\377" })
+  for (const char* garbage : { "", "garbage", "CARVJOB2", "CARVJOB2\1\1\1\1\377\377\377\377" })
   {
     const HelperRun run = RunHelper(std::string(garbage));
     EXPECT_EQ(run.ExitCode, 2);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Depth as a distance (section 5.3).
+ */
+#ifndef InitialDistance_h
+#define InitialDistance_h
+
+#include "Mesh.h"
+
+#include <vector>
+
+/**
+ * Per tetrahedron the distance of its centroid from the surface of the initial approximation, at least
+ * a billionth of the points' diagonal, so that it can be divided by.
+ */
+std::vector<double> ComputeInitialDistances(const carving::Tetrahedralization& mesh);
+
+#endif

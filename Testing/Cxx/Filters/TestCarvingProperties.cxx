@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+vtkUnstructuredGrid* GetStream(vtkTopologyCarver* carver)
+{
+  return vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+}
+
+double GetFieldValue(vtkTopologyCarver* carver, int level, const char* name)
+{
+  return GetLevel(carver, level)->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+/** A hollow box: an outer one and, facing into its hollow, an inner one. */
+vtkSmartPointer<vtkPolyData> HollowBox()
+{
+  return ToPolyData(models::Joined(
+    models::Box({ 0, 0, 0 }, { 3, 3, 3 }), models::Flipped(models::Box({ 1, 1, 1 }, { 2, 2, 2 }))));
+}
+
+/** How many triangles the last level has. */
+vtkIdType CountTriangles(vtkTopologyCarver* carver)
+{
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  return GetLevel(carver, 0)->GetNumberOfPolys();
+}
+
+} // namespace
+
+// A bounding box is the first level, a hundredth of the diagonal away from the input, with eight new
+// vertices; the last level is the input all the same.
+TEST(CarvingProperties, StartFromABoundingBox)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(models::Sphere(2)));
+  carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  vtkPolyData* box = GetLevel(carver, 0);
+  double input[6], grown[6];
+  GetLevel(carver, 1)->GetBounds(input);
+  box->GetBounds(grown);
+  const double margin = 0.01 * GetLevel(carver, 1)->GetLength();
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(grown[i], input[i] + (i % 2 ? margin : -margin), 1e-12);
+  }
+  EXPECT_EQ(box->GetNumberOfPolys(), 12);
+  EXPECT_EQ(GetFieldValue(carver, 0, "NewVertices"), 8);
+  EXPECT_EQ(GetFieldValue(carver, 1, "NewVertices"), 0);
+  EXPECT_EQ(GetLevel(carver, 1)->GetNumberOfPolys(), 320);
+}
+
+// The initial approximation is the one property that needs the helper program again.
+TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  const OtherHelper missing("/there/is/no/such/helper");
+  carver->SetPriorityMeasure(vtkTopologyCarver::VOLUME);
+  carver->SetDepthExponent(2.0);
+  carver->SetDepthMeasure(vtkTopologyCarver::DISTANCE);
+  carver->SetBreadthRadius(0.5);
+  carver->SetCarveVoids(false);
+  carver->SetSolidRule(vtkTopologyCarver::EVEN_ODD);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
+  carver->Update();
+  EXPECT_EQ(messages.Errors.size(), 1u);
+}
+
+// Depth by distance is that of the centroid from the hull, here from the sides of a box.
+TEST(CarvingProperties, MeasureDepthAsDistance)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes()); // their hull is a box of 3 x 1 x 1
+  carver->SetDepthMeasure(vtkTopologyCarver::DISTANCE);
+  carver->SetDepthExponent(1.0);
+  carver->Update();
+  vtkUnstructuredGrid* stream = GetStream(carver);
+  for (vtkIdType i = 0; i < stream->GetNumberOfCells(); ++i)
+  {
+    if (stream->GetCellType(i) != VTK_TETRA)
+    {
+      continue;
+    }
+    double centroid[3] = {};
+    vtkNew<vtkIdList> corners;
+    stream->GetCellPoints(i, corners);
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        centroid[axis] += 0.25 * stream->GetPoint(corners->GetId(corner))[axis];
+      }
+    }
+    double distance = 3.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double upper = axis == 0 ? 3.0 : 1.0;
+      distance = std::min({ distance, centroid[axis], upper - centroid[axis] });
+    }
+    EXPECT_NEAR(stream->GetCellData()->GetArray("Depth")->GetTuple1(i), distance, 1e-12);
+  }
+}
+
+// Whatever the measure, feature size is a length: the smallest priority popped so far as one.
+TEST(CarvingProperties, GiveFeatureSizeAsALength)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("elephant.off"));
+  for (const int measure : { vtkTopologyCarver::LONGEST_EDGE, vtkTopologyCarver::VOLUME,
+         vtkTopologyCarver::CIRCUMRADIUS, vtkTopologyCarver::EDGE_VOLUME })
+  {
+    carver->SetPriorityMeasure(measure);
+    carver->Update();
+    auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+    double smallest = HUGE_VAL;
+    for (int step = 1; step <= GetLevelStep(carver, 3); ++step)
+    {
+      smallest = std::min(smallest, profile->GetValueByName(step, "Priority").ToDouble());
+    }
+    const double length = measure == vtkTopologyCarver::VOLUME ? std::cbrt(smallest)
+      : measure == vtkTopologyCarver::CIRCUMRADIUS             ? 2.0 * smallest
+                                                               : smallest;
+    EXPECT_NEAR(GetFieldValue(carver, 3, "FeatureSize"), length, 1e-12);
+  }
+}
+
+// With breadth a stream has fewer steps, and ends at the input all the same.
+TEST(CarvingProperties, TakeFewerStepsWithBreadth)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("elephant.off"));
+  int steps = 0;
+  for (const double radius : { 0.1, 0.01, 0.0 })
+  {
+    carver->SetBreadthRadius(radius);
+    carver->Update();
+    EXPECT_GT(GetLevelStep(carver, 7), steps);
+    steps = GetLevelStep(carver, 7);
+    EXPECT_EQ(GetLevel(carver, 7)->GetNumberOfPolys(), 5558);
+  }
+}
+
+// A hollow is a void by winding and by even-odd; left closed, its wall does not show.
+TEST(CarvingProperties, CarveVoidsOrNot)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(HollowBox());
+  EXPECT_EQ(CountTriangles(carver), 24);
+  carver->SetSolidRule(vtkTopologyCarver::EVEN_ODD);
+  EXPECT_EQ(CountTriangles(carver), 24);
+  carver->SetCarveVoids(false);
+  EXPECT_EQ(CountTriangles(carver), 12);
+}
+
+// A solid in a solid is hidden by nonzero winding and a hollow by even-odd.
+TEST(CarvingProperties, FollowTheSolidRule)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(
+    models::Joined(models::Box({ 0, 0, 0 }, { 3, 3, 3 }), models::Box({ 1, 1, 1 }, { 2, 2, 2 }))));
+  EXPECT_EQ(CountTriangles(carver), 12);
+  carver->SetSolidRule(vtkTopologyCarver::EVEN_ODD);
+  EXPECT_EQ(CountTriangles(carver), 24);
+  // As a surface, both are carved out from within: their triangles remain, and nothing behind them.
+  carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
+  EXPECT_EQ(CountTriangles(carver), 24);
+  vtkDataArray* depth = GetLevel(carver, 0)->GetCellData()->GetArray("Depth");
+  EXPECT_EQ(depth->GetRange()[1], 0.0);
+  EXPECT_EQ(GetStream(carver)->GetCellData()->GetArray("Step")->GetRange()[0], 0.0);
+}
+
+// Values out of range are clamped.
+TEST(CarvingProperties, AreClamped)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetDepthExponent(-1.0);
+  carver->SetBreadthRadius(-1.0);
+  carver->SetPriorityMeasure(17);
+  EXPECT_EQ(carver->GetDepthExponent(), 0.0);
+  EXPECT_EQ(carver->GetBreadthRadius(), 0.0);
+  EXPECT_EQ(carver->GetPriorityMeasure(), vtkTopologyCarver::EDGE_VOLUME);
+}

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Streams do what the paper's figures show. Topology is counted here from scratch, simplex by simplex.
+ */
+#include "Carver.h"
+#include "HelperRun.h"
+#include "Models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <vector>
+
+using namespace carving;
+
+namespace
+{
+
+/** Per step, of the closed complex of M, the solid and the tetrahedra that are not carved. */
+struct Topology
+{
+  std::vector<int> Components;
+  std::vector<int> Tunnels;
+};
+
+/** V - E + F - T of the complex, per step: a simplex is in it while something around it is. */
+std::vector<int> EulerCharacteristics(const Tetrahedralization& mesh, const Stream& stream)
+{
+  std::map<std::vector<int>, int> deaths;
+  const auto addWithFaces = [&](std::vector<int> simplex, int death)
+  {
+    std::sort(simplex.begin(), simplex.end());
+    for (unsigned int subset = 1; subset < 1u << simplex.size(); ++subset)
+    {
+      std::vector<int> face;
+      for (std::size_t i = 0; i < simplex.size(); ++i)
+      {
+        if (subset >> i & 1)
+        {
+          face.push_back(simplex[i]);
+        }
+      }
+      int& last = deaths[face];
+      last = std::max(last, death);
+    }
+  };
+  for (const Triangle& t : mesh.Surface.Triangles)
+  {
+    addWithFaces({ t.begin(), t.end() }, Stream::Never);
+  }
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    addWithFaces({ mesh.Cells[cell].begin(), mesh.Cells[cell].end() }, stream.Step[cell]);
+  }
+  std::vector<int> characteristics(stream.LastStep() + 1, 0);
+  for (const auto& [simplex, death] : deaths)
+  {
+    const int end = std::min(death, stream.LastStep() + 1);
+    for (int step = 0; step < end; ++step)
+    {
+      characteristics[step] += simplex.size() % 2 ? 1 : -1;
+    }
+  }
+  return characteristics;
+}
+
+/** Components, by putting the tetrahedra back in reverse order. */
+std::vector<int> CountComponents(const Tetrahedralization& mesh, const Stream& stream)
+{
+  std::vector<int> parent(mesh.Surface.Points.size(), -1);
+  int components = 0;
+  const auto find = [&](int v)
+  {
+    while (parent[v] != v)
+    {
+      v = parent[v] = parent[parent[v]];
+    }
+    return v;
+  };
+  const auto add = [&](const auto& simplex)
+  {
+    for (const int v : simplex)
+    {
+      if (parent[v] < 0)
+      {
+        parent[v] = v;
+        ++components;
+      }
+      if (find(v) != find(simplex[0]))
+      {
+        parent[find(v)] = find(simplex[0]);
+        --components;
+      }
+    }
+  };
+  for (const Triangle& t : mesh.Surface.Triangles)
+  {
+    add(t);
+  }
+  std::vector<int> order(mesh.Cells.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(
+    order.begin(), order.end(), [&](int a, int b) { return stream.Step[a] > stream.Step[b]; });
+  std::vector<int> result(stream.LastStep() + 1);
+  std::size_t next = 0;
+  for (int step = stream.LastStep(); step >= 0; --step)
+  {
+    for (; next < order.size() && stream.Step[order[next]] > step; ++next)
+    {
+      add(mesh.Cells[order[next]]);
+    }
+    result[step] = components;
+  }
+  return result;
+}
+
+/** For meshes without voids: then tunnels are components less the Euler characteristic. */
+Topology CountTopology(const TriangleMesh& given, double depthExponent)
+{
+  const HelperRun run = RunHelper(given);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Tetrahedralization& mesh = run.Reply.Result;
+  CarveOptions options;
+  options.DepthExponent = depthExponent;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  Topology topology;
+  topology.Components = CountComponents(mesh, stream);
+  topology.Tunnels = EulerCharacteristics(mesh, stream);
+  std::transform(topology.Components.begin(), topology.Components.end(), topology.Tunnels.begin(),
+    topology.Tunnels.begin(), std::minus<int>());
+  return topology;
+}
+
+/** Figure 10: spheres of 642 points at the corners of a unit cube. */
+TriangleMesh EightSpheres()
+{
+  TriangleMesh all;
+  for (int i = 0; i < 8; ++i)
+  {
+    const Point center = { double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1) };
+    all = models::Joined(all, models::Moved(models::Sphere(3), center, 0.3));
+  }
+  return all;
+}
+
+/** The share of steps with one component and so many tunnels. */
+double ShareOfSteps(const Topology& topology, int tunnels)
+{
+  int steps = 0;
+  for (std::size_t i = 0; i < topology.Tunnels.size(); ++i)
+  {
+    steps += topology.Components[i] == 1 && topology.Tunnels[i] == tunnels;
+  }
+  return static_cast<double>(steps) / topology.Tunnels.size();
+}
+
+} // namespace
+
+// Figure 4: two spheres are one component until they split, and two from then on; no tunnel opens.
+TEST(Figures, TwoSpheresSplit)
+{
+  const Topology topology = CountTopology(
+    models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 2.5, 0.1, 0.2 })), 0.0);
+  EXPECT_EQ(topology.Components.front(), 1);
+  EXPECT_EQ(topology.Components.back(), 2);
+  EXPECT_TRUE(std::is_sorted(topology.Components.begin(), topology.Components.end()));
+  EXPECT_EQ(topology.Tunnels.front(), 0);
+  EXPECT_EQ(topology.Tunnels.back(), 0);
+}
+
+// Figure 10 (b): without depth, eight spheres are carved through the cube's six sides first. A frame of
+// a cube, with 8 corners and 12 edges, has 12 - 8 + 1 = 5 tunnels.
+TEST(Figures, EightSpheresBecomeAFrameWithoutDepth)
+{
+  EXPECT_GT(ShareOfSteps(CountTopology(EightSpheres(), 0.0), 5), 0.5);
+}
+
+// Figure 10 (c): with dp = 2 carving advances evenly, and nearly no tunnel opens before the spheres split.
+TEST(Figures, EightSpheresStayWholeWithDepth)
+{
+  EXPECT_GT(ShareOfSteps(CountTopology(EightSpheres(), 2.0), 0), 0.85);
+}

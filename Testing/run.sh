@@ -27,7 +27,7 @@ build sanitize -DTOPOLOGYCARVING_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo 
 say "Testing core and helper program under sanitizers"
 # Everything takes ten times as long here: fewer random meshes, and not the two largest real ones,
 # which reach no code that the others do not.
-TOPOLOGYCARVING_RANDOM_MESHES=60 \
+TOPOLOGYCARVING_RANDOM_MESHES=30 \
   ctest --test-dir "$build_root/sanitize" -j$jobs --output-on-failure -E 'RealMesh.*(cheese|bunny)'
 
 say "All tests passed"

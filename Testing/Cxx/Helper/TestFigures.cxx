@@ -4,6 +4,7 @@
  * Streams do what the paper's figures show. Topology is counted here from scratch, simplex by simplex.
  */
 #include "Carver.h"
+#include "Components.h"
 #include "HelperRun.h"
 #include "Models.h"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <vector>
 
 using namespace carving;
@@ -65,56 +65,6 @@ std::vector<int> EulerCharacteristics(const Tetrahedralization& mesh, const Stre
     }
   }
   return characteristics;
-}
-
-/** Components, by putting the tetrahedra back in reverse order. */
-std::vector<int> CountComponents(const Tetrahedralization& mesh, const Stream& stream)
-{
-  std::vector<int> parent(mesh.Surface.Points.size(), -1);
-  int components = 0;
-  const auto find = [&](int v)
-  {
-    while (parent[v] != v)
-    {
-      v = parent[v] = parent[parent[v]];
-    }
-    return v;
-  };
-  const auto add = [&](const auto& simplex)
-  {
-    for (const int v : simplex)
-    {
-      if (parent[v] < 0)
-      {
-        parent[v] = v;
-        ++components;
-      }
-      if (find(v) != find(simplex[0]))
-      {
-        parent[find(v)] = find(simplex[0]);
-        --components;
-      }
-    }
-  };
-  for (const Triangle& t : mesh.Surface.Triangles)
-  {
-    add(t);
-  }
-  std::vector<int> order(mesh.Cells.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(
-    order.begin(), order.end(), [&](int a, int b) { return stream.Step[a] > stream.Step[b]; });
-  std::vector<int> result(stream.LastStep() + 1);
-  std::size_t next = 0;
-  for (int step = stream.LastStep(); step >= 0; --step)
-  {
-    for (; next < order.size() && stream.Step[order[next]] > step; ++next)
-    {
-      add(mesh.Cells[order[next]]);
-    }
-    result[step] = components;
-  }
-  return result;
 }
 
 /** For meshes without voids: then tunnels are components less the Euler characteristic. */

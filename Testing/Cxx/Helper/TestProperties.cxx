@@ -6,6 +6,7 @@
 #include "Carver.h"
 #include "Checks.h"
 #include "Classification.h"
+#include "Components.h"
 #include "HelperRun.h"
 #include "Level.h"
 #include "LevelSelection.h"
@@ -70,48 +71,6 @@ std::vector<char> UsedPoints(const Carved& carved, const Level& level)
     }
   }
   return used;
-}
-
-/** Components of M, the solid and the tetrahedra that are not carved, as a point set. */
-int CountComponents(const Carved& carved, int step)
-{
-  std::vector<int> parent(carved.Mesh.Surface.Points.size(), -1);
-  const auto find = [&](int v)
-  {
-    while (parent[v] != v)
-    {
-      v = parent[v] = parent[parent[v]];
-    }
-    return v;
-  };
-  const auto join = [&](const auto& corners)
-  {
-    for (const int corner : corners)
-    {
-      if (parent[corner] < 0)
-      {
-        parent[corner] = corner;
-      }
-      parent[find(corner)] = find(corners[0]);
-    }
-  };
-  for (const Triangle& t : carved.Mesh.Surface.Triangles)
-  {
-    join(t);
-  }
-  for (std::size_t cell = 0; cell < carved.Mesh.Cells.size(); ++cell)
-  {
-    if (carved.Stream.Step[cell] > step)
-    {
-      join(carved.Mesh.Cells[cell]);
-    }
-  }
-  int components = 0;
-  for (int v = 0; v < static_cast<int>(parent.size()); ++v)
-  {
-    components += parent[v] == v;
-  }
-  return components;
 }
 
 /** Property 1, for one level: no input vertex is outside. */
@@ -241,6 +200,7 @@ void ExpectProperties(
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
   const std::set<Point> givenPoints(given.Points.begin(), given.Points.end());
   const std::vector<int> steps = SpreadLevels(carved.Profile, numberOfLevels);
+  const std::vector<int> componentsOfSteps = CountComponents(carved.Mesh, carved.Stream);
   double volume = HUGE_VAL, hullVolume = 0.0;
   int components = 0, inputVertices = 0;
   Level coarser;
@@ -255,7 +215,7 @@ void ExpectProperties(
     hullVolume = std::max(hullVolume, newVolume);
     EXPECT_LE(newVolume, volume + 1e-12 * hullVolume);
     volume = newVolume;
-    const int newComponents = CountComponents(carved, step);
+    const int newComponents = componentsOfSteps[step];
     EXPECT_GE(newComponents, components);
     components = newComponents;
 

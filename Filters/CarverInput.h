@@ -27,6 +27,10 @@ struct CarverInput
    * Returns an empty string, or an error: a point of a triangle that is not finite.
    */
   std::string Gather(vtkPolyData* input);
+  bool IsEmpty() const
+  {
+    return this->Mesh.Triangles.empty();
+  }
 };
 
 #endif

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CarverSession.h"
 
+#include "ArrayTools.h"
 #include "CarverInput.h"
-#include "CarverOutput.h"
 #include "CompositeTree.h"
+#include "ContourInput.h"
 #include "HelperProcess.h"
 #include "InitialDistance.h"
-#include "LevelSelection.h"
+#include "LevelOutput.h"
+#include "StoredStream.h"
+#include "StreamOutput.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -20,22 +25,95 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+namespace
+{
+
+/** What differs between meshes and contours. */
+template <int D>
+struct Kind;
+
+template <>
+struct Kind<3>
+{
+  using Input = CarverInput;
+  static constexpr const char* Rung = "TetGen -pcY";
+
+  static std::string GatherInitial(vtkPolyData* initial, const Input&, Input& gathered)
+  {
+    return gathered.Gather(initial);
+  }
+  static const carving::Decomposition<3>& GetResult(const carving::Reply& reply)
+  {
+    return reply.Result;
+  }
+  static void Fill(carving::Job& job, Input& input, Input& initial)
+  {
+    job.Kind = carving::JobKind::Tetrahedralize;
+    job.Mesh = std::move(input.Mesh);
+    job.InitialMesh = std::move(initial.Mesh);
+  }
+  static void Restore(const Input&, std::vector<carving::Point>&)
+  {
+  }
+};
+
+template <>
+struct Kind<2>
+{
+  using Input = ContourInput;
+  static constexpr const char* Rung = "CGAL constrained Delaunay";
+
+  static std::string GatherInitial(vtkPolyData* initial, const Input& input, Input& gathered)
+  {
+    return gathered.GatherInPlaneOf(input, initial);
+  }
+  static const carving::Decomposition<2>& GetResult(const carving::Reply& reply)
+  {
+    return reply.Plane;
+  }
+  static void Fill(carving::Job& job, Input& input, Input& initial)
+  {
+    job.Kind = carving::JobKind::Triangulate;
+    job.Contours = std::move(input.Contours);
+    job.InitialContours = std::move(initial.Contours);
+  }
+  static void Restore(const Input& input, std::vector<carving::Point>& points)
+  {
+    input.Restore(points);
+  }
+};
+
+} // namespace
 
 /** What is kept of a leaf of the input between updates. */
-struct CarverSession::Leaf
+template <int D>
+struct CarverSession<D>::Leaf
 {
   vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
-  carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
-  CarverInput Input;
+  carving::InitialApproximation Approximation = carving::InitialApproximation::ConvexHull;
+  vtkMTimeType InitialTime = 0; ///< of the given initial approximation
+  typename Kind<D>::Input Input;
+  typename Kind<D>::Input Initial;
+  bool Empty = false;
   carving::Reply Reply;
 };
 
+/** What an update makes of a leaf. */
+template <int D>
+struct CarverSession<D>::Result
+{
+  carving::StoredStream<D> Stream;
+  carving::Profile Profile;
+  int GuessedRegions = 0;
+};
+
 /** Adds to the seconds of a stage while it lives. */
-class CarverSession::Timer
+template <int D>
+class CarverSession<D>::Timer
 {
 public:
-  Timer(CarverSession& session, Stage stage)
+  Timer(CarverSession& session, int stage)
     : Seconds(session.StageSeconds[stage])
   {
   }
@@ -56,8 +134,8 @@ namespace
 constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "output" };
 
 /** At which fraction of an update each stage begins; typical for a mesh of medium size. */
-constexpr double StageBegins[CarverSession::NumberOfStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86,
-  0.93, 1.0 };
+constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.93,
+  1.0 };
 
 void SetName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name)
 {
@@ -68,26 +146,22 @@ void SetName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string
 }
 
 /** What the user should know, as the string array `Notes`. */
-void AddNotes(const CarverInput& input, const carving::Reply& reply, const CarvedMesh& carved,
-  vtkFieldData* fieldData)
+void AddNotes(std::vector<std::string> texts, int intersectingPairs, int guessedRegions,
+  bool nothingToCarve, vtkFieldData* fieldData)
 {
-  std::vector<std::string> texts = input.Notes;
-  if (reply.IntersectingPairs > 0)
+  if (intersectingPairs > 0)
   {
-    texts.push_back(std::to_string(reply.IntersectingPairs) +
-      " pairs of triangles cross each other and were split where they meet.");
+    texts.push_back(std::to_string(intersectingPairs) +
+      " pairs of triangles or edges cross each other and were split where they meet.");
   }
-  const auto& regions = carved.Regions.Regions;
-  const auto guessed = std::count_if(
-    regions.begin(), regions.end(), [](const carving::Region& region) { return region.Guessed; });
-  if (guessed > 0)
+  if (guessedRegions > 0)
   {
-    texts.push_back("The mesh is open or inconsistently oriented: whether " +
-      std::to_string(guessed) + " of its enclosed regions are solid is a guess.");
+    texts.push_back("The input is open or inconsistently oriented: whether " +
+      std::to_string(guessedRegions) + " of its enclosed regions are solid is a guess.");
   }
-  if (carved.Stream.LastStep() == 0 && !carved.Mesh.Surface.Triangles.empty())
+  if (nothingToCarve)
   {
-    texts.push_back("The mesh is its own convex hull: there is nothing to carve.");
+    texts.push_back("The input is its own initial approximation: there is nothing to carve.");
   }
   if (texts.empty())
   {
@@ -102,25 +176,43 @@ void AddNotes(const CarverInput& input, const carving::Reply& reply, const Carve
   fieldData->AddArray(notes);
 }
 
-} // namespace
-
-CarverSession::CarverSession(vtkAlgorithm* filter)
-  : Filter(filter)
+/** The settings that a stream has been made with, by the names of the filter's properties. */
+void AddSettings(const CarverSettings& settings, const char* rung, vtkFieldData* fieldData)
 {
+  const carving::CarveOptions& carve = settings.Carve;
+  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, rung);
+  AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
+  AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
+  AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
+  AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);
+  AddFieldValue<vtkDoubleArray>(fieldData, "BreadthRadius", carve.BreadthRadius);
+  AddFieldValue<vtkIntArray>(fieldData, "CarveExposed", carve.CarveExposed);
+  AddFieldValue<vtkIntArray>(fieldData, "CarveVoids", carve.CarveVoids);
 }
 
-CarverSession::~CarverSession() = default;
+} // namespace
 
-const char* CarverSession::GetStageName(int stage)
+const char* GetCarverStageName(int stage)
 {
   return stage < carving::NumberOfStages ? carving::StageName(static_cast<carving::Stage>(stage))
                                          : OwnStageNames[stage - carving::NumberOfStages];
 }
 
-bool CarverSession::Update(
-  vtkDataObject* input, const CarverSettings& settings, const CarverPorts& ports)
+template <int D>
+CarverSession<D>::CarverSession(vtkAlgorithm* filter)
+  : Filter(filter)
+{
+}
+
+template <int D>
+CarverSession<D>::~CarverSession() = default;
+
+template <int D>
+bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
+  const CarverSettings& settings, const CarverPorts& ports)
 {
   this->Settings = settings;
+  this->Initial = initial;
   this->StageSeconds.fill(0.0);
   this->LeavesDone = 0;
   this->NumberOfLeaves = 1;
@@ -144,51 +236,49 @@ bool CarverSession::Update(
   return good;
 }
 
-bool CarverSession::Report(int stage, double fraction)
+template <int D>
+bool CarverSession<D>::Report(int stage, double fraction)
 {
   const double begin = StageBegins[stage];
   const double ofLeaf = begin + fraction * (StageBegins[stage + 1] - begin);
   const double ofAll = (this->LeavesDone + ofLeaf) / this->NumberOfLeaves;
-  this->Filter->SetProgressText(GetStageName(stage));
+  this->Filter->SetProgressText(GetCarverStageName(stage));
   // Rounds of resolving start over; progress does not.
   this->Filter->UpdateProgress(std::max(ofAll, this->Filter->GetProgress()));
   return !this->Filter->GetAbortExecute();
 }
 
-std::shared_ptr<CarverSession::Leaf> CarverSession::Tetrahedralize(vtkPolyData* input)
+template <int D>
+std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtkPolyData* input)
 {
+  const bool custom = this->Settings.Initial == carving::InitialApproximation::Custom;
+  const vtkMTimeType initialTime = custom && this->Initial ? this->Initial->GetMTime() : 0;
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
-    if (leaf->Time == input->GetMTime() && leaf->Initial == this->Settings.Initial)
+    if (leaf->Time == input->GetMTime() && leaf->Approximation == this->Settings.Initial &&
+      leaf->InitialTime == initialTime)
     {
       return leaf;
     }
   }
   const auto leaf = std::make_shared<Leaf>();
   leaf->Time = input->GetMTime();
-  leaf->Initial = this->Settings.Initial;
+  leaf->Approximation = this->Settings.Initial;
+  leaf->InitialTime = initialTime;
   std::string error = leaf->Input.Gather(input);
-  if (error.empty() && !leaf->Input.Mesh.Triangles.empty())
+  leaf->Empty = leaf->Input.IsEmpty();
+  if (error.empty() && custom && !this->Initial)
   {
-    const Timer timer(*this, Transfer);
-    carving::Job job;
-    job.Initial = leaf->Initial;
-    job.Mesh = std::move(leaf->Input.Mesh);
-    const HelperProcess::Outcome outcome = HelperProcess::Run(
-      job, leaf->Reply,
-      [this](carving::Stage stage, double fraction)
-      { return this->Report(static_cast<int>(stage), fraction); },
-      error);
-    if (outcome == HelperProcess::Outcome::Aborted)
-    {
-      return nullptr;
-    }
-    for (std::size_t stage = 0; stage < leaf->Reply.StageSeconds.size(); ++stage)
-    {
-      // The timer runs over the helper's stages too; transfer is what remains.
-      this->StageSeconds[stage] += leaf->Reply.StageSeconds[stage];
-      this->StageSeconds[Transfer] -= leaf->Reply.StageSeconds[stage];
-    }
+    error = "InitialApproximation is CUSTOM, but input port 1 has no polygonal data.";
+  }
+  else if (error.empty() && custom)
+  {
+    error = Kind<D>::GatherInitial(this->Initial, leaf->Input, leaf->Initial);
+    error = error.empty() ? error : "The initial approximation on port 1: " + error;
+  }
+  if (error.empty() && !leaf->Empty && !this->RunHelper(*leaf, error))
+  {
+    return nullptr;
   }
   if (!error.empty())
   {
@@ -199,105 +289,133 @@ std::shared_ptr<CarverSession::Leaf> CarverSession::Tetrahedralize(vtkPolyData* 
   return leaf;
 }
 
-bool CarverSession::CarveTetrahedra(CarvedMesh& carved)
+template <int D>
+bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
 {
+  const Timer timer(*this, TransferStage);
+  carving::Job job;
+  job.Initial = leaf.Approximation;
+  Kind<D>::Fill(job, leaf.Input, leaf.Initial);
+  const HelperProcess::Outcome outcome = HelperProcess::Run(
+    job, leaf.Reply,
+    [this](carving::Stage stage, double fraction)
+    { return this->Report(static_cast<int>(stage), fraction); },
+    error);
+  for (std::size_t stage = 0; stage < leaf.Reply.StageSeconds.size(); ++stage)
   {
-    const Timer timer(*this, Classify);
-    carved.Regions = carving::Classify(carved.Mesh, this->Settings.Solid);
+    // The timer runs over the helper's stages too; transfer is what remains.
+    this->StageSeconds[stage] += leaf.Reply.StageSeconds[stage];
+    this->StageSeconds[TransferStage] -= leaf.Reply.StageSeconds[stage];
   }
-  if (!this->Report(Classify, 1.0))
+  return outcome != HelperProcess::Outcome::Aborted;
+}
+
+template <int D>
+bool CarverSession<D>::Carve(const Leaf& leaf, Result& result)
+{
+  const carving::Decomposition<D>& mesh = Kind<D>::GetResult(leaf.Reply);
+  carving::Classification regions;
+  {
+    const Timer timer(*this, ClassifyStage);
+    regions = carving::Classify(mesh, this->Settings.Solid);
+  }
+  result.GuessedRegions = static_cast<int>(std::count_if(regions.Regions.begin(),
+    regions.Regions.end(), [](const carving::Region& region) { return region.Guessed; }));
+  if (!this->Report(ClassifyStage, 1.0))
   {
     return false;
   }
-  const Timer timer(*this, Carve);
+  const Timer timer(*this, CarveStage);
   carving::CarveOptions options = this->Settings.Carve;
   if (this->Settings.DepthIsDistance)
   {
-    options.Depths = ComputeInitialDistances(carved.Mesh);
+    options.Depths = ComputeInitialDistances(mesh);
   }
-  if (!carving::Carve(carved.Mesh, carved.Regions, options, carved.Stream,
-        [this](double fraction) { return this->Report(Carve, fraction); }))
+  carving::Stream stream;
+  if (!carving::Carve(mesh, regions, options, stream,
+        [this](double fraction) { return this->Report(CarveStage, fraction); }))
   {
     return false;
   }
-  carved.Profile = carving::ComputeProfile(carved.Mesh, carved.Stream);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const double priority : carved.Stream.StepPriority)
-  {
-    // The priority of step 0 is NaN, which fmin passes over.
-    smallest = std::fmin(smallest, carving::PriorityAsLength(priority, options.Measure));
-    carved.FeatureSizes.push_back(smallest);
-  }
+  result.Stream = carving::Store(mesh, regions, stream);
+  Kind<D>::Restore(leaf.Input, result.Stream.Mesh.Surface.Points);
+  result.Stream.Measure = options.Measure;
+  result.Stream.Folds =
+    this->Settings.KeepBothFoldSides ? carving::FoldSides::Both : carving::FoldSides::One;
+  result.Profile = carving::ComputeProfile(result.Stream);
   return true;
 }
 
-std::vector<int> CarverSession::SelectLevels(const carving::Profile& profile)
+template <int D>
+std::vector<int> CarverSession<D>::SelectLevels(const carving::Profile& profile)
 {
   if (this->Settings.LevelTargets.empty())
   {
     return carving::SpreadLevels(profile, this->Settings.NumberOfLevels);
   }
-  const bool byTriangles = this->Settings.TargetsAreTriangles;
-  const std::vector<int>& counts = byTriangles ? profile.Triangles : profile.Vertices;
   std::vector<int> steps;
   for (const double target : this->Settings.LevelTargets)
   {
-    const int step = carving::LastStepWithin(counts, target);
-    if (step < 0)
+    const carving::SelectedStep selected =
+      carving::SelectStep(profile, this->Settings.TargetType, target);
+    if (!selected.Problem.empty())
     {
-      vtkWarningWithObjectMacro(this->Filter, << "The target of " << target
-                                              << (byTriangles ? " triangles" : " vertices")
-                                              << " is below the " << counts.front()
-                                              << " of the initial approximation, which is given "
-                                                 "instead.");
+      vtkWarningWithObjectMacro(this->Filter, << selected.Problem);
     }
-    steps.push_back(std::max(0, step));
+    steps.push_back(selected.Step);
   }
   std::sort(steps.begin(), steps.end());
   return steps;
 }
 
-bool CarverSession::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
+template <int D>
+bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
 {
-  const std::shared_ptr<Leaf> leaf = this->Tetrahedralize(input);
+  const std::shared_ptr<Leaf> leaf = this->Decompose(input);
   if (!leaf)
   {
     return false;
   }
   this->Used.push_back(leaf);
-  CarvedMesh carved(leaf->Reply.Result);
-  if (!this->CarveTetrahedra(carved))
+  if (leaf->Empty) // nothing in, nothing out
+  {
+    AddNotes(leaf->Input.Notes, 0, 0, false, ports.Levels->GetFieldData());
+    ++this->LeavesDone;
+    return true;
+  }
+  Result result;
+  if (!this->Carve(*leaf, result))
   {
     return false;
   }
-  const Timer timer(*this, Output);
-  AddNotes(leaf->Input, leaf->Reply, carved, ports.Levels->GetFieldData());
-  if (!carved.Mesh.Surface.Triangles.empty()) // else nothing in, nothing out
+  const Timer timer(*this, OutputStage);
+  AddNotes(leaf->Input.Notes, leaf->Reply.IntersectingPairs, result.GuessedRegions,
+    result.Profile.LastStep() == 0, ports.Levels->GetFieldData());
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(ports.Stream);
+  FillStream(result.Stream, result.Profile, input, leaf->Input.CellIds, grid);
+  AddSettings(this->Settings, Kind<D>::Rung, grid->GetFieldData());
+  FillProfile(result.Profile, vtkTable::SafeDownCast(ports.Profile));
+  const std::vector<int> steps = this->SelectLevels(result.Profile);
+  const unsigned int count = static_cast<unsigned int>(steps.size());
+  ports.Levels->SetNumberOfBlocks(count);
+  for (unsigned int i = 0; i < count; ++i)
   {
-    const CarverOutput writer(carved, input, leaf->Input.CellIds);
-    const std::vector<int> steps = this->SelectLevels(carved.Profile);
-    const unsigned int count = static_cast<unsigned int>(steps.size());
-    ports.Levels->SetNumberOfBlocks(count);
-    for (unsigned int i = 0; i < count; ++i)
+    vtkNew<vtkPolyData> level;
+    FillLevel(result.Stream, result.Profile, grid, steps[i], this->Settings.ManifoldOutput, level);
+    ports.Levels->SetBlock(i, level);
+    SetName(ports.Levels, i, "LOD " + std::to_string(i));
+    if (!this->Report(OutputStage, (i + 1.0) / (count + 1.0)))
     {
-      vtkNew<vtkPolyData> level;
-      writer.FillLevel(steps[i], level);
-      ports.Levels->SetBlock(i, level);
-      SetName(ports.Levels, i, "LOD " + std::to_string(i));
-      if (!this->Report(Output, (i + 1.0) / (count + 1.0)))
-      {
-        return false;
-      }
+      return false;
     }
-    writer.FillStream(vtkUnstructuredGrid::SafeDownCast(ports.Stream));
-    writer.FillProfile(vtkTable::SafeDownCast(ports.Profile));
   }
-  const bool goOn = this->Report(Output, 1.0);
+  const bool goOn = this->Report(OutputStage, 1.0);
   ++this->LeavesDone;
   return goOn;
 }
 
-bool CarverSession::CarveTree(vtkDataObject* input, const CarverPorts& ports)
+template <int D>
+bool CarverSession<D>::CarveTree(vtkDataObject* input, const CarverPorts& ports)
 {
   std::vector<CompositeChild> children;
   if (!GetChildren(input, children))
@@ -351,3 +469,6 @@ bool CarverSession::CarveTree(vtkDataObject* input, const CarverPorts& ports)
   }
   return true;
 }
+
+template class CarverSession<2>;
+template class CarverSession<3>;

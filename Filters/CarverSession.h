@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What happens in an update of vtkTopologyCarver, and what is kept from one to the next.
+ * What happens in an update of a carver, and what is kept from one to the next.
  */
 #ifndef CarverSession_h
 #define CarverSession_h
 
 #include "Carver.h"
+#include "LevelSelection.h"
 #include "Profile.h"
 #include "Protocol.h"
 
@@ -21,7 +22,6 @@ class vtkDataObject;
 class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
-struct CarvedMesh;
 
 /** The properties of the filter that an update depends on. */
 struct CarverSettings
@@ -32,7 +32,9 @@ struct CarverSettings
   bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy
   int NumberOfLevels = 8;
   std::vector<double> LevelTargets; ///< replace NumberOfLevels if there are any
-  bool TargetsAreTriangles = false;
+  carving::LevelTarget TargetType = carving::LevelTarget::Vertices;
+  bool KeepBothFoldSides = false;
+  bool ManifoldOutput = true;
 };
 
 /** Where the results for a polydata or a composite of them go. */
@@ -43,32 +45,30 @@ struct CarverPorts
   vtkDataObject* Profile; ///< vtkTable, or vtkMultiBlockDataSet for a composite
 };
 
-/**
- * Carves meshes for a filter, to which it reports progress, errors and warnings, and whose request to
- * abort it follows. Tetrahedralizations are kept until an update of the filter does without them.
- */
-class CarverSession
+/** The stages of an update; those of the helper program, carving::Stage, come first. */
+enum CarverStage
+{
+  TransferStage = carving::NumberOfStages,
+  ClassifyStage,
+  CarveStage,
+  OutputStage,
+  NumberOfCarverStages
+};
+const char* GetCarverStageName(int stage);
+
+/** A session for meshes or contours. */
+class CarverSessionBase
 {
 public:
-  /** The stages of an update; those of the helper program, carving::Stage, come first. */
-  enum Stage
-  {
-    Transfer = carving::NumberOfStages,
-    Classify,
-    Carve,
-    Output,
-    NumberOfStages
-  };
-  static const char* GetStageName(int stage);
-
-  explicit CarverSession(vtkAlgorithm* filter);
-  ~CarverSession();
+  virtual ~CarverSessionBase() = default;
 
   /**
-   * Carves a vtkPolyData or a composite of them. Returns false if it failed, which has been reported,
-   * or was aborted; the ports are then to be emptied.
+   * Carves a vtkPolyData or a composite of them. `initial`, which can be null, is for
+   * InitialApproximation::Custom. Returns false if it failed, which has been reported, or was aborted;
+   * the ports are then to be emptied.
    */
-  bool Update(vtkDataObject* input, const CarverSettings& settings, const CarverPorts& ports);
+  virtual bool Update(vtkDataObject* input, vtkPolyData* initial, const CarverSettings& settings,
+    const CarverPorts& ports) = 0;
 
   /** Wall-clock seconds of the last update, all leaves together. */
   double GetStageSeconds(int stage) const
@@ -76,20 +76,41 @@ public:
     return this->StageSeconds[stage];
   }
 
+protected:
+  std::array<double, NumberOfCarverStages> StageSeconds = {};
+};
+
+/**
+ * Carves meshes (D = 3) or contours in a plane (D = 2) for a filter, to which it reports progress,
+ * errors and warnings, and whose request to abort it follows. What the helper program made is kept
+ * until an update of the filter does without it.
+ */
+template <int D>
+class CarverSession : public CarverSessionBase
+{
+public:
+  explicit CarverSession(vtkAlgorithm* filter);
+  ~CarverSession() override;
+
+  bool Update(vtkDataObject* input, vtkPolyData* initial, const CarverSettings& settings,
+    const CarverPorts& ports) override;
+
 private:
   struct Leaf;
+  struct Result;
   class Timer;
 
   bool CarveLeaf(vtkPolyData* input, const CarverPorts& ports);
   bool CarveTree(vtkDataObject* input, const CarverPorts& ports);
-  std::shared_ptr<Leaf> Tetrahedralize(vtkPolyData* input);
-  bool CarveTetrahedra(CarvedMesh& carved);
+  std::shared_ptr<Leaf> Decompose(vtkPolyData* input);
+  bool RunHelper(Leaf& leaf, std::string& error);
+  bool Carve(const Leaf& leaf, Result& result);
   std::vector<int> SelectLevels(const carving::Profile& profile);
   bool Report(int stage, double fraction);
 
   vtkAlgorithm* Filter;
   CarverSettings Settings;
-  std::array<double, NumberOfStages> StageSeconds = {};
+  vtkPolyData* Initial = nullptr;
   std::vector<std::shared_ptr<Leaf>> Cache;
   std::vector<std::shared_ptr<Leaf>> Used;
   int NumberOfLeaves = 1;

@@ -12,29 +12,37 @@
 #include <algorithm>
 #include <cmath>
 
-std::vector<double> ComputeInitialDistances(const carving::Tetrahedralization& mesh)
+template <int D>
+std::vector<double> ComputeInitialDistances(const carving::Decomposition<D>& mesh)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkCellArray> faces;
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; f <= D; ++f)
     {
       if (mesh.Neighbors[cell][f] < 0)
       {
-        triangles->InsertNextCell(3);
+        faces->InsertNextCell(D);
         for (const int corner : mesh.OutwardFace(cell, f))
         {
-          triangles->InsertCellPoint(points->InsertNextPoint(mesh.Surface.Points[corner].data()));
+          faces->InsertCellPoint(points->InsertNextPoint(mesh.Surface.Points[corner].data()));
         }
       }
     }
   }
   vtkNew<vtkPolyData> initial;
   initial->SetPoints(points);
-  initial->SetPolys(triangles);
+  if (D == 3)
+  {
+    initial->SetPolys(faces);
+  }
+  else
+  {
+    initial->SetLines(faces);
+  }
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(initial);
   locator->BuildLocator();
@@ -53,3 +61,6 @@ std::vector<double> ComputeInitialDistances(const carving::Tetrahedralization& m
   }
   return distances;
 }
+
+template std::vector<double> ComputeInitialDistances<2>(const carving::Decomposition<2>&);
+template std::vector<double> ComputeInitialDistances<3>(const carving::Decomposition<3>&);

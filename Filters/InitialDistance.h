@@ -11,9 +11,10 @@
 #include <vector>
 
 /**
- * Per tetrahedron the distance of its centroid from the surface of the initial approximation, at least
+ * Per cell the distance of its centroid from the surface of the initial approximation, at least
  * a billionth of the points' diagonal, so that it can be divided by.
  */
-std::vector<double> ComputeInitialDistances(const carving::Tetrahedralization& mesh);
+template <int D>
+std::vector<double> ComputeInitialDistances(const carving::Decomposition<D>& mesh);
 
 #endif

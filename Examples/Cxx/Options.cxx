@@ -2,6 +2,7 @@
 #include "Options.h"
 
 #include "LevelWriter.h"
+#include "vtkTopologyCarver.h"
 
 #include <cctype>
 #include <climits>
@@ -14,8 +15,8 @@ const char* const HelpText = R"(NAME
     carve - simplify the topology of a mesh by carving it out of its convex hull
 
 SYNOPSIS
-    carve INPUT [-o OUTPUT] [--levels N | --vertices N,N,... | --triangles N,N,...]
-          [PROPERTY OPTIONS]
+    carve INPUT [-o OUTPUT] [--stream OUT.vtu] [LEVELS] [PROPERTY OPTIONS]
+    carve STREAM.vtu [-o OUTPUT] [LEVELS] [--manifold-output on|off]
     carve --help | --version
 
 DESCRIPTION
@@ -29,6 +30,9 @@ DESCRIPTION
     of its name: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
     also gzipped (.obj.gz).
 
+    STREAM.vtu is a carving that --stream has stored: any of its levels is given
+    without carving again.
+
 OPTIONS
     -o, --output OUTPUT
         Write the levels. The end of the name decides how:
@@ -39,6 +43,11 @@ OPTIONS
         other formats round coordinates; a warning is given where that makes a
         level cross itself.
 
+    --stream OUT.vtu
+        Write the whole carving: tetrahedra and triangles with the steps at which
+        they vanish and appear.
+
+LEVELS
     --levels N
         Number of levels, spread so that their vertex counts grow geometrically.
         Default: 8.
@@ -48,6 +57,12 @@ OPTIONS
         Instead, a level for each number: the last one that has at most that many
         vertices or triangles, as have all before it.
 
+    --feature-size X,X,...
+        A level for each length: gaps wider than about that are open.
+
+    --step N,N,...
+        A level for each step of the carving.
+
     --help, --version
         Print this text or the version, and exit.
 
@@ -55,9 +70,13 @@ PROPERTY OPTIONS
     These set what is carved, and in which order. The sections are those of the
     paper "Carving for topology simplification of polygonal meshes".
 
-    --initial-approximation convex-hull|bounding-box
+    --initial-approximation convex-hull|bounding-box|custom
         What level 0 is. The box is grown by a hundredth of its diagonal on every
         side; its corners are new vertices. Default: convex-hull. (Section 3.1)
+
+    --initial-mesh FILE
+        The mesh for custom, which this option implies: closed, of genus zero, in
+        one piece, without self-intersections, around INPUT.
 
     --priority-measure longest-edge|volume|circumradius|edge-volume
         Which tetrahedra are carved first: those with the longest edge, the largest
@@ -90,6 +109,14 @@ PROPERTY OPTIONS
         around, what an odd number of surfaces separates from the outside, or
         nothing. Default: nonzero-winding.
 
+    --keep-both-fold-sides on|off
+        Whether a sheet without solid on either side shows with both of its sides.
+        Default: off. (Section 3.3)
+
+    --manifold-output on|off
+        Whether levels are cut apart where more than two triangles meet in an edge,
+        or several fans of triangles in a vertex. Default: on. (Section 3.3)
+
 OUTPUT
     The table goes to standard output: level, step (how many carving steps were
     taken), vertices, triangles; then the seconds that each stage took. Progress
@@ -109,10 +136,17 @@ EXAMPLES
     carve bones.off
     carve bones.off -o bones.vtm --levels 12
     carve scan.ply.gz -o proxy.stl --triangles 500,5000
+    carve scan.ply.gz --stream scan.vtu
+    carve scan.vtu --vertices 1000 -o scan_1000.vtp
 )";
 
 namespace
 {
+
+bool EndsIn(const std::string& text, const std::string& end)
+{
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
 
 /** The whole text is a number. */
 bool ToNumber(const std::string& text, double& number)
@@ -134,16 +168,24 @@ std::string ParseTargets(const std::string& name, const std::string& text, Optio
 {
   if (!options.Targets.empty())
   {
-    return "--vertices and --triangles can be given once and not together";
+    return "of --vertices, --triangles, --feature-size and --step only one can be given, and once";
   }
-  options.TargetsAreTriangles = name == "triangles";
+  options.TargetType = name == "vertices" ? vtkTopologyCarver::VERTICES
+    : name == "triangles"                 ? vtkTopologyCarver::TRIANGLES
+    : name == "step"                      ? vtkTopologyCarver::STEP
+                                          : vtkTopologyCarver::FEATURE_SIZE;
+  const bool length = options.TargetType == vtkTopologyCarver::FEATURE_SIZE;
+  const double smallest = options.TargetType == vtkTopologyCarver::STEP ? 0.0 : 1.0;
   std::istringstream list(text);
   for (std::string item; std::getline(list, item, ',');)
   {
     double target = 0.0;
-    if (!ToNumber(item, target) || target < 1.0 || target != std::floor(target))
+    if (!ToNumber(item, target) ||
+      (length ? target <= 0.0 : target < smallest || target != std::floor(target)))
     {
-      return "--" + name + " wants whole numbers above 0 with commas between, not \"" + text + "\"";
+      return "--" + name + " wants " + (length ? "lengths above 0" : "whole numbers") +
+        (!length && smallest > 0.0 ? " above 0" : "") + " with commas between, not \"" + text +
+        "\"";
     }
     options.Targets.push_back(target);
   }
@@ -184,19 +226,26 @@ std::string ParseNotNegative(const std::string& name, const std::string& text, d
 std::string ParseProperty(const std::string& name, const std::string& text, Options& options)
 {
   return name == "initial-approximation"
-    ? ParseChoice(name, "convex-hull|bounding-box", text, options.InitialApproximation)
+    ? ParseChoice(name, "convex-hull|bounding-box|custom", text, options.InitialApproximation)
     : name == "priority-measure" ? ParseChoice(name, "longest-edge|volume|circumradius|edge-volume",
                                      text, options.PriorityMeasure)
     : name == "depth-measure" ? ParseChoice(name, "hierarchy|distance", text, options.DepthMeasure)
     : name == "solid-rule"
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
-    : name == "depth-exponent" ? ParseNotNegative(name, text, options.DepthExponent)
-    : name == "breadth-radius" ? ParseNotNegative(name, text, options.BreadthRadius)
-    : name == "carve-voids"    ? ParseSwitch(name, text, options.CarveVoids)
-                               : ParseSwitch(name, text, options.CarveExposed);
+    : name == "depth-exponent"       ? ParseNotNegative(name, text, options.DepthExponent)
+    : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
+    : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
+    : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
+                                     : ParseSwitch(name, text, options.CarveExposed);
 }
 
 } // namespace
+
+bool IsStream(const std::string& fileName)
+{
+  return EndsIn(fileName, ".vtu");
+}
 
 std::string Parse(int argc, char* argv[], Options& options)
 {
@@ -206,6 +255,10 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "levels", required_argument, nullptr, 'l' },
     { "vertices", required_argument, nullptr, 't' },
     { "triangles", required_argument, nullptr, 't' },
+    { "feature-size", required_argument, nullptr, 't' },
+    { "step", required_argument, nullptr, 't' },
+    { "stream", required_argument, nullptr, 's' },
+    { "initial-mesh", required_argument, nullptr, 'i' },
     { "initial-approximation", required_argument, nullptr, 'p' },
     { "priority-measure", required_argument, nullptr, 'p' },
     { "depth-exponent", required_argument, nullptr, 'p' },
@@ -214,6 +267,8 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "carve-exposed", required_argument, nullptr, 'p' },
     { "carve-voids", required_argument, nullptr, 'p' },
     { "solid-rule", required_argument, nullptr, 'p' },
+    { "keep-both-fold-sides", required_argument, nullptr, 'p' },
+    { "manifold-output", required_argument, nullptr, 'm' },
     { "help", no_argument, nullptr, 'h' },
     { "version", no_argument, nullptr, 'v' },
     {} };
@@ -256,7 +311,20 @@ std::string Parse(int argc, char* argv[], Options& options)
       case 't':
         error = ParseTargets(known[index].name, optarg, options);
         break;
+      case 's':
+        options.Stream = optarg;
+        options.CarvingOption = "--stream";
+        error = EndsIn(options.Stream, ".vtu") ? "" : "--stream wants a name that ends in .vtu";
+        break;
+      case 'i':
+        options.InitialMesh = optarg;
+        options.InitialApproximation = vtkTopologyCarver::CUSTOM;
+        options.CarvingOption = "--initial-mesh";
+        break;
       case 'p':
+        options.CarvingOption = std::string("--") + known[index].name;
+        [[fallthrough]];
+      case 'm':
         error = ParseProperty(known[index].name, optarg, options);
         break;
       case ':':
@@ -273,12 +341,20 @@ std::string Parse(int argc, char* argv[], Options& options)
   }
   if (levelsGiven && !options.Targets.empty())
   {
-    return "--levels cannot be combined with --vertices or --triangles";
+    return "--levels cannot be combined with other ways to pick levels";
   }
   if (optind != argc - 1)
   {
     return optind == argc ? "no input is given" : "more than one input is given";
   }
   options.Input = argv[optind];
+  if (options.InitialApproximation == vtkTopologyCarver::CUSTOM && options.InitialMesh.empty())
+  {
+    return "--initial-approximation custom wants --initial-mesh FILE";
+  }
+  if (IsStream(options.Input) && !options.CarvingOption.empty())
+  {
+    return options.CarvingOption + " wants a mesh: " + options.Input + " has been carved already";
+  }
   return {};
 }

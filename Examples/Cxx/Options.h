@@ -17,10 +17,14 @@ struct Options
 
   Action Wanted = Action::Carve;
   std::string Input;
-  std::string Output; ///< empty: none
+  std::string Output;      ///< empty: none
+  std::string Stream;      ///< where to write the stored stream; empty: nowhere
+  std::string InitialMesh; ///< for CUSTOM
+  /** The first option that only carving can follow; empty if there is none. */
+  std::string CarvingOption;
   int NumberOfLevels = 8;
   std::vector<double> Targets;
-  bool TargetsAreTriangles = false;
+  int TargetType = 0; ///< vtkTopologyCarver::LevelTargets
   // As the filter's properties of the same names.
   int InitialApproximation = 0;
   int PriorityMeasure = 0;
@@ -29,11 +33,16 @@ struct Options
   double BreadthRadius = 0.0;
   bool CarveExposed = true;
   bool CarveVoids = true;
+  bool KeepBothFoldSides = false;
+  bool ManifoldOutput = true;
   int SolidRule = 0;
 };
 
 /** Returns an empty string or what is wrong with the command line, in one line. */
 std::string Parse(int argc, char* argv[], Options& options);
+
+/** Whether a file is, by its name, a stored stream. */
+bool IsStream(const std::string& fileName);
 
 /** The manual page. */
 extern const char* const HelpText;

@@ -7,6 +7,7 @@
 #include "LevelWriter.h"
 #include "MeshReader.h"
 #include "Options.h"
+#include "StreamFile.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkFieldData.h"
@@ -16,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkTopologyCarver.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <chrono>
 #include <cstdio>
@@ -74,7 +76,7 @@ void PrintTable(vtkMultiBlockDataSet* levels)
     auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
     vtkDataArray* step = level->GetFieldData()->GetArray("Step");
     std::printf("%5u %9.0f %10lld %10lld\n", i, step->GetTuple1(0),
-      static_cast<long long>(level->GetNumberOfPoints()),
+      static_cast<long long>(level->GetFieldData()->GetArray("Vertices")->GetTuple1(0)),
       static_cast<long long>(level->GetNumberOfPolys()));
   }
 }
@@ -88,45 +90,10 @@ void PrintNotes(vtkMultiBlockDataSet* levels)
   }
 }
 
-int Run(const Options& options, ErrorLog* log)
+/** Prints, and writes if so asked, what a filter has given; `seconds` is the line of timings so far. */
+int Finish(
+  const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, const std::string& seconds)
 {
-  Clock clock;
-  vtkNew<vtkPolyData> mesh;
-  const std::string unreadable = ReadMesh(options.Input, log, mesh);
-  if (!unreadable.empty())
-  {
-    return Fail("cannot read " + options.Input + ": " + unreadable);
-  }
-  const double readSeconds = clock.Lap();
-  std::printf("%s: %lld points, %lld cells\n", options.Input.c_str(),
-    static_cast<long long>(mesh->GetNumberOfPoints()),
-    static_cast<long long>(mesh->GetNumberOfCells()));
-
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(mesh);
-  carver->SetInitialApproximation(options.InitialApproximation);
-  carver->SetPriorityMeasure(options.PriorityMeasure);
-  carver->SetDepthExponent(options.DepthExponent);
-  carver->SetDepthMeasure(options.DepthMeasure);
-  carver->SetBreadthRadius(options.BreadthRadius);
-  carver->SetCarveExposed(options.CarveExposed);
-  carver->SetCarveVoids(options.CarveVoids);
-  carver->SetSolidRule(options.SolidRule);
-  carver->SetNumberOfLevels(options.NumberOfLevels);
-  carver->SetLevelTargetType(
-    options.TargetsAreTriangles ? vtkTopologyCarver::TRIANGLES : vtkTopologyCarver::VERTICES);
-  for (const double target : options.Targets)
-  {
-    carver->AddLevelTarget(target);
-  }
-  if (isatty(STDERR_FILENO))
-  {
-    vtkNew<vtkCallbackCommand> progress;
-    progress->SetCallback(ShowProgress);
-    carver->AddObserver(vtkCommand::ProgressEvent, progress);
-  }
-  carver->Update();
-  EraseProgress();
   if (!log->Errors.empty())
   {
     return Fail(log->Errors.front());
@@ -135,11 +102,9 @@ int Run(const Options& options, ErrorLog* log)
   {
     std::cerr << "carve: warning: " << warning << "\n";
   }
-
-  vtkMultiBlockDataSet* levels = carver->GetOutput();
   PrintTable(levels);
   PrintNotes(levels);
-  clock.Lap();
+  Clock clock;
   std::vector<std::string> written, warnings;
   if (!options.Output.empty())
   {
@@ -149,11 +114,7 @@ int Run(const Options& options, ErrorLog* log)
       return Fail(error);
     }
   }
-  std::printf("seconds: read %.3f", readSeconds);
-  for (int stage = 0; stage < carver->GetNumberOfStages(); ++stage)
-  {
-    std::printf(", %s %.3f", carver->GetStageName(stage), carver->GetStageSeconds(stage));
-  }
+  std::printf("seconds: %s", seconds.c_str());
   if (!written.empty())
   {
     std::printf(", write %.3f", clock.Lap());
@@ -168,6 +129,97 @@ int Run(const Options& options, ErrorLog* log)
     std::cerr << "carve: warning: " << warning << "\n";
   }
   return Success;
+}
+
+std::string Describe(const char* what, double seconds)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%s %.3f", what, seconds);
+  return text;
+}
+
+void SetProperties(const Options& options, vtkTopologyCarver* carver)
+{
+  carver->SetInitialApproximation(options.InitialApproximation);
+  carver->SetPriorityMeasure(options.PriorityMeasure);
+  carver->SetDepthExponent(options.DepthExponent);
+  carver->SetDepthMeasure(options.DepthMeasure);
+  carver->SetBreadthRadius(options.BreadthRadius);
+  carver->SetCarveExposed(options.CarveExposed);
+  carver->SetCarveVoids(options.CarveVoids);
+  carver->SetSolidRule(options.SolidRule);
+  carver->SetKeepBothFoldSides(options.KeepBothFoldSides);
+  carver->SetManifoldOutput(options.ManifoldOutput);
+  carver->SetNumberOfLevels(options.NumberOfLevels);
+  carver->SetLevelTargetType(options.TargetType);
+  for (const double target : options.Targets)
+  {
+    carver->AddLevelTarget(target);
+  }
+}
+
+int CarveMesh(const Options& options, ErrorLog* log)
+{
+  Clock clock;
+  vtkNew<vtkTopologyCarver> carver;
+  vtkNew<vtkPolyData> mesh, initial;
+  for (const auto& [name, data] :
+    { std::pair(options.Input, mesh.Get()), std::pair(options.InitialMesh, initial.Get()) })
+  {
+    const std::string unreadable = name.empty() ? "" : ReadMesh(name, log, data);
+    if (!unreadable.empty())
+    {
+      return Fail("cannot read " + name + ": " + unreadable);
+    }
+  }
+  std::string seconds = Describe("read", clock.Lap());
+  std::printf("%s: %lld points, %lld cells\n", options.Input.c_str(),
+    static_cast<long long>(mesh->GetNumberOfPoints()),
+    static_cast<long long>(mesh->GetNumberOfCells()));
+  carver->SetInputData(0, mesh);
+  carver->SetInputData(1, initial);
+  SetProperties(options, carver);
+  if (isatty(STDERR_FILENO))
+  {
+    vtkNew<vtkCallbackCommand> progress;
+    progress->SetCallback(ShowProgress);
+    carver->AddObserver(vtkCommand::ProgressEvent, progress);
+  }
+  carver->Update();
+  EraseProgress();
+  for (int stage = 0; stage < carver->GetNumberOfStages(); ++stage)
+  {
+    seconds += ", " + Describe(carver->GetStageName(stage), carver->GetStageSeconds(stage));
+  }
+  if (log->Errors.empty() && !options.Stream.empty())
+  {
+    clock.Lap();
+    if (!StreamFile::Write(
+          options.Stream, vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1))))
+    {
+      return Fail("cannot write " + options.Stream);
+    }
+    seconds += ", " + Describe("write stream", clock.Lap());
+  }
+  return Finish(options, log, carver->GetOutput(), seconds);
+}
+
+int AnswerFromStream(const Options& options, ErrorLog* log)
+{
+  Clock clock;
+  vtkNew<vtkUnstructuredGrid> stream;
+  const std::string unreadable = StreamFile::Read(options.Input, log, stream);
+  if (!unreadable.empty())
+  {
+    return Fail("cannot read " + options.Input + ": " + unreadable);
+  }
+  const std::string read = Describe("read", clock.Lap());
+  std::printf("%s: %lld points, %lld cells\n", options.Input.c_str(),
+    static_cast<long long>(stream->GetNumberOfPoints()),
+    static_cast<long long>(stream->GetNumberOfCells()));
+  vtkNew<vtkMultiBlockDataSet> levels;
+  StreamFile::Extract(options, stream, levels);
+  return Finish(options, log, levels, read + ", " + Describe("extract", clock.Lap()));
 }
 
 } // namespace
@@ -195,5 +247,5 @@ int main(int argc, char* argv[])
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<ErrorLog> log;
   vtkOutputWindow::SetInstance(log);
-  return Run(options, log);
+  return IsStream(options.Input) ? AnswerFromStream(options, log) : CarveMesh(options, log);
 }

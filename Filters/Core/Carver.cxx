@@ -25,10 +25,11 @@ struct Entry
   }
 };
 
+template <int D>
 class Carver
 {
 public:
-  Carver(const Tetrahedralization& mesh, const Classification& regions, const CarveOptions& options,
+  Carver(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
     Stream& stream)
     : Mesh(mesh)
     , Options(options)
@@ -56,7 +57,7 @@ public:
         seed = std::max(seed, { this->ComputePriority(cell, this->ComputeDepth(cell, 1.0)), cell });
         continue;
       }
-      for (int f = 0; f < 4; ++f)
+      for (int f = 0; f <= D; ++f)
       {
         if (mesh.Neighbors[cell][f] < 0 && mesh.Constraints[cell][f] < 0)
         {
@@ -135,7 +136,7 @@ private:
   template <class Visitor>
   void ForEachCarvableNeighbor(int cell, Visitor&& visit)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; f <= D; ++f)
     {
       const int neighbor = this->Mesh.Neighbors[cell][f];
       if (neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 &&
@@ -188,7 +189,7 @@ private:
     }
   }
 
-  const Tetrahedralization& Mesh;
+  const Decomposition<D>& Mesh;
   const CarveOptions& Options;
   Stream& Out;
   std::vector<double> Measure;
@@ -199,10 +200,16 @@ private:
 
 } // namespace
 
-bool Carve(const Tetrahedralization& mesh, const Classification& regions,
-  const CarveOptions& options, Stream& stream, const Progress& progress)
+template <int D>
+bool Carve(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
+  Stream& stream, const Progress& progress)
 {
-  return Carver(mesh, regions, options, stream).Run(progress);
+  return Carver<D>(mesh, regions, options, stream).Run(progress);
 }
+
+template bool Carve<2>(
+  const Decomposition<2>&, const Classification&, const CarveOptions&, Stream&, const Progress&);
+template bool Carve<3>(
+  const Decomposition<3>&, const Classification&, const CarveOptions&, Stream&, const Progress&);
 
 } // namespace carving

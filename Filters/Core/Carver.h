@@ -70,8 +70,9 @@ struct Stream
  *
  * Returns false when `progress` asked to stop; `stream` is then incomplete.
  */
-bool Carve(const Tetrahedralization& mesh, const Classification& regions,
-  const CarveOptions& options, Stream& stream, const Progress& progress = {});
+template <int D>
+bool Carve(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
+  Stream& stream, const Progress& progress = {});
 
 } // namespace carving
 

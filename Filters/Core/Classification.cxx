@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Classification.h"
 
-#include "Vector.h"
+#include "Priority.h"
 #include "Winding.h"
 
 #include <cmath>
@@ -15,22 +15,9 @@ namespace carving
 namespace
 {
 
-/** Whether two triangles with the same corners run through them in the same direction. */
-bool SameDirection(const Triangle& a, const Triangle& b)
-{
-  const int i = b[0] == a[0] ? 0 : b[1] == a[0] ? 1 : 2;
-  return b[(i + 1) % 3] == a[1];
-}
-
-double SixCellVolume(const Tetrahedralization& mesh, int cell)
-{
-  const std::array<int, 4>& c = mesh.Cells[cell];
-  const std::vector<Point>& p = mesh.Surface.Points;
-  return SixVolume(p[c[0]], p[c[1]], p[c[2]], p[c[3]]);
-}
-
 /** Fills the regions and marks as Void, for now, all that are enclosed; returns their largest cells. */
-std::vector<int> FindRegions(const Tetrahedralization& mesh, Classification& result)
+template <int D>
+std::vector<int> FindRegions(const Decomposition<D>& mesh, Classification& result)
 {
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   result.RegionOfCell.assign(numberOfCells, -1);
@@ -52,13 +39,13 @@ std::vector<int> FindRegions(const Tetrahedralization& mesh, Classification& res
     {
       const int cell = stack.back();
       stack.pop_back();
-      const double volume = SixCellVolume(mesh, cell);
+      const double volume = Size(mesh, cell);
       if (volume > largestVolume || (volume == largestVolume && cell < largest))
       {
         largest = cell;
         largestVolume = volume;
       }
-      for (int f = 0; f < 4; ++f)
+      for (int f = 0; f <= D; ++f)
       {
         if (mesh.Constraints[cell][f] >= 0)
         {
@@ -93,14 +80,15 @@ struct Crossing
 };
 
 /** The crossings out of each region; the last entry is the outside's. */
+template <int D>
 std::vector<std::vector<Crossing>> FindCrossings(
-  const Tetrahedralization& mesh, const Classification& result)
+  const Decomposition<D>& mesh, const Classification& result)
 {
   const int outside = static_cast<int>(result.Regions.size());
   std::vector<std::vector<Crossing>> crossings(outside + 1);
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; f <= D; ++f)
     {
       const int triangle = mesh.Constraints[cell][f];
       if (triangle < 0)
@@ -110,8 +98,8 @@ std::vector<std::vector<Crossing>> FindCrossings(
       const int neighbor = mesh.Neighbors[cell][f];
       const int to = result.RegionOfCell[cell];
       const int from = neighbor < 0 ? outside : result.RegionOfCell[neighbor];
-      const bool behind = SameDirection(
-        mesh.OutwardFace(static_cast<int>(cell), f), mesh.Surface.Triangles[triangle]);
+      const bool behind = SameDirection<D>(
+        mesh.OutwardFace(static_cast<int>(cell), f), mesh.Surface.Facets[triangle]);
       const int winding = mesh.Surface.Windings[triangle];
       crossings[from].push_back({ to, behind ? winding : -winding, mesh.Surface.Counts[triangle] });
     }
@@ -134,7 +122,8 @@ std::vector<int> FindOutside(const Classification& result)
 }
 
 /** Winding numbers of a closed M: a walk from the outside adds up the triangles that it crosses. */
-void CountWindings(const Tetrahedralization& mesh, Classification& result)
+template <int D>
+void CountWindings(const Decomposition<D>& mesh, Classification& result)
 {
   const auto crossings = FindCrossings(mesh, result);
   std::vector<int> stack = FindOutside(result);
@@ -165,8 +154,9 @@ void CountWindings(const Tetrahedralization& mesh, Classification& result)
 }
 
 /** Winding numbers of any M: solid angles, at the centroid of a region's largest tetrahedron. */
+template <int D>
 void MeasureWindings(
-  const Tetrahedralization& mesh, const std::vector<int>& largestCells, Classification& result)
+  const Decomposition<D>& mesh, const std::vector<int>& largestCells, Classification& result)
 {
   for (std::size_t r = 0; r < result.Regions.size(); ++r)
   {
@@ -180,7 +170,8 @@ void MeasureWindings(
 }
 
 /** By parity: solid is what an odd number of triangles separates from the outside. */
-void ClassifyByParity(const Tetrahedralization& mesh, Classification& result)
+template <int D>
+void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 {
   // Dijkstra's shortest paths by the number of triangles crossed.
   using Entry = std::pair<int, int>; // crossed so far, region
@@ -226,8 +217,9 @@ void ClassifyByParity(const Tetrahedralization& mesh, Classification& result)
   }
 }
 
+template <int D>
 void ClassifyByWinding(
-  const Tetrahedralization& mesh, const std::vector<int>& largestCells, Classification& result)
+  const Decomposition<D>& mesh, const std::vector<int>& largestCells, Classification& result)
 {
   if (IsClosed(mesh.Surface))
   {
@@ -248,7 +240,8 @@ void ClassifyByWinding(
 
 } // namespace
 
-Classification Classify(const Tetrahedralization& mesh, SolidRule rule)
+template <int D>
+Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
 {
   Classification result;
   const std::vector<int> largestCells = FindRegions(mesh, result);
@@ -265,5 +258,8 @@ Classification Classify(const Tetrahedralization& mesh, SolidRule rule)
   }
   return result;
 }
+
+template Classification Classify<2>(const Decomposition<2>&, SolidRule);
+template Classification Classify<3>(const Decomposition<3>&, SolidRule);
 
 } // namespace carving

@@ -62,7 +62,8 @@ struct Classification
  * Regions, numbered in the order of their first tetrahedron. What reaches the outside without crossing
  * M is never solid.
  */
-Classification Classify(const Tetrahedralization& mesh, SolidRule rule = SolidRule::NonzeroWinding);
+template <int D>
+Classification Classify(const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding);
 
 } // namespace carving
 

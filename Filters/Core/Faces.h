@@ -6,52 +6,96 @@
 #ifndef carving_Faces_h
 #define carving_Faces_h
 
-#include "Carver.h"
-#include "Mesh.h"
+#include "Ridges.h"
+#include "StoredStream.h"
 
 #include <algorithm>
 
 namespace carving
 {
 
-/** A face that shows on every approximation C_j with Birth <= j < Death. */
+/** A face that looks the same on every approximation C_j with Birth <= j < Death. */
+template <int D>
 struct FaceLife
 {
-  int Cell;       ///< one of its tetrahedra
-  int Corner;     ///< the corner of `Cell` that it is opposite to
-  int Neighbor;   ///< the other tetrahedron, -1 for the outside of C0
-  int Constraint; ///< the triangle of M that it lies on, -1 if none
+  std::array<int, D> Corners; ///< oriented outward; of a fold, as M has it
+  int Constraint;             ///< the facet of M that it lies on, -1 if none
+  int Behind;                 ///< the half-face behind it, or Outside or Solid
+  int InFront;                ///< the half-face in front of it, or Outside or Solid
+  bool Fold;                  ///< the exterior is on both sides
   int Birth;
   int Death;
 };
 
-/**
- * Calls `visit(const FaceLife&)` once for each face that shows on some approximation. A face of the
- * carved surface shows while it has the exterior on one side only, a triangle of M from the moment
- * it has it on any side.
- */
-template <class Visitor>
-void ForEachFace(const Tetrahedralization& mesh, const Stream& stream, Visitor&& visit)
+/** The step at which the exterior comes to a half-face. */
+template <int D>
+int StepAt(const StoredStream<D>& stream, int halfFace)
 {
+  return halfFace == Outside ? 0
+    : halfFace == Solid      ? Stream::Never
+                             : stream.Order.Step[HalfFace<D>::Cell(halfFace)];
+}
+
+/**
+ * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation, first those of the
+ * carved surface, then those of M. A face of the carved surface shows while it has the exterior on one
+ * side only; a facet of M from the moment it has it on any side, and it changes into a fold when it has
+ * it on both.
+ */
+template <int D, class Visitor>
+void ForEachFace(const StoredStream<D>& stream, Visitor&& visit)
+{
+  const Decomposition<D>& mesh = stream.Mesh;
+  const auto visitIfItShows = [&](const FaceLife<D>& face)
+  {
+    if (face.Birth < face.Death)
+    {
+      visit(face);
+    }
+  };
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; f <= D; ++f)
     {
       const int neighbor = mesh.Neighbors[cell][f];
-      if (neighbor >= 0 && neighbor < cell)
+      if (mesh.Constraints[cell][f] >= 0 || (neighbor >= 0 && neighbor < cell))
       {
-        continue; // visited from there
+        continue; // a facet of M, or visited from the neighbor
       }
-      const int constraint = mesh.Constraints[cell][f];
-      const int here = stream.Step[cell];
-      const int there = neighbor < 0 ? 0 : stream.Step[neighbor];
-      const int birth = std::min(here, there);
-      const int death = constraint < 0 ? std::max(here, there) : Stream::Never;
-      if (birth < death)
+      const int here = stream.Order.Step[cell];
+      const int there = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
+      if (here == there)
       {
-        visit(FaceLife{ cell, f, neighbor, constraint, birth, death });
+        continue;
       }
+      const int own = HalfFace<D>::Of(cell, f);
+      const int other = neighbor < 0 ? neighbor : AcrossFace(mesh, own);
+      const std::array<int, D> corners = mesh.OutwardFace(cell, f);
+      visitIfItShows(here > there
+          ? FaceLife<D>{ corners, -1, own, other, false, there, here }
+          : FaceLife<D>{ Flipped<D>(corners), -1, other, own, false, here, there });
+    }
+  }
+  for (int facet = 0; facet < static_cast<int>(stream.Sides.size()); ++facet)
+  {
+    const std::array<int, D>& corners = mesh.Surface.Facets[facet];
+    const auto [behind, inFront] = stream.Sides[facet];
+    const int stepBehind = StepAt(stream, behind);
+    const int stepInFront = StepAt(stream, inFront);
+    const auto [first, second] = std::minmax(stepBehind, stepInFront);
+    if (stepInFront <= stepBehind)
+    {
+      visitIfItShows({ corners, facet, behind, inFront, false, first, second });
+    }
+    else
+    {
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, false, first, second });
+    }
+    visitIfItShows({ corners, facet, behind, inFront, true, second, Stream::Never });
+    if (stream.Folds == FoldSides::Both)
+    {
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, true, second, Stream::Never });
     }
   }
 }

@@ -1,43 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Level.h"
 
-#include "Faces.h"
-
 namespace carving
 {
 
-Level ExtractLevel(const Tetrahedralization& mesh, const Stream& stream, int step)
+template <int D>
+Level<D> ExtractLevel(const StoredStream<D>& stream, int step)
 {
-  Level level;
-  ForEachFace(mesh, stream,
-    [&](const FaceLife& face)
+  Level<D> level;
+  level.Step = step;
+  ForEachFace(stream,
+    [&](const FaceLife<D>& face)
     {
-      if (step < face.Birth || step >= face.Death)
+      if (face.Birth <= step && step < face.Death)
       {
-        return;
+        level.Faces.push_back(face);
       }
-      Triangle triangle;
-      int behind = -1;
-      if (stream.Step[face.Cell] > step)
-      {
-        behind = face.Cell;
-        triangle = mesh.OutwardFace(face.Cell, face.Corner);
-      }
-      else if (face.Neighbor >= 0 && stream.Step[face.Neighbor] > step)
-      {
-        behind = face.Neighbor;
-        triangle = mesh.OutwardFace(face.Cell, face.Corner);
-        std::swap(triangle[1], triangle[2]);
-      }
-      else
-      {
-        triangle = mesh.Surface.Triangles[face.Constraint];
-      }
-      level.Triangles.push_back(triangle);
-      level.Constraints.push_back(face.Constraint);
-      level.CellsBehind.push_back(behind);
     });
   return level;
 }
+
+template Level<2> ExtractLevel<2>(const StoredStream<2>&, int);
+template Level<3> ExtractLevel<3>(const StoredStream<3>&, int);
 
 } // namespace carving

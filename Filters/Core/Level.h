@@ -6,8 +6,8 @@
 #ifndef carving_Level_h
 #define carving_Level_h
 
-#include "Carver.h"
-#include "Mesh.h"
+#include "Faces.h"
+#include "StoredStream.h"
 
 #include <vector>
 
@@ -15,21 +15,19 @@ namespace carving
 {
 
 /**
- * The boundary of the solid and the tetrahedra that are not yet carved, oriented outward, and the
- * folds (triangles of M with the exterior on both sides) once each, oriented as M has them.
- *
- * Per triangle: its corners as indices into the tetrahedralization's points, the triangle of M that
- * it is (-1: carved), and the tetrahedron behind it (-1: none, it is a fold).
+ * The faces of C_step, the boundary of the solid and the cells that are not yet carved, oriented
+ * outward, and the folds. Corners are indices into the stream's points.
  */
+template <int D>
 struct Level
 {
-  std::vector<Triangle> Triangles;
-  std::vector<int> Constraints;
-  std::vector<int> CellsBehind;
+  int Step = 0;
+  std::vector<FaceLife<D>> Faces;
 };
 
-/** C_step, 0 <= step <= stream.LastStep(). */
-Level ExtractLevel(const Tetrahedralization& mesh, const Stream& stream, int step);
+/** C_step, 0 <= step <= stream.Order.LastStep(). */
+template <int D>
+Level<D> ExtractLevel(const StoredStream<D>& stream, int step);
 
 } // namespace carving
 

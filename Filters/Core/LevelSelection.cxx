@@ -5,15 +5,90 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <sstream>
 
 namespace carving
 {
 
+namespace
+{
+
+/** The last step such that it and all before it count at most `limit`; -1 where even C0 counts more. */
 int LastStepWithin(const std::vector<int>& counts, double limit)
 {
   const auto exceeding =
     std::find_if(counts.begin(), counts.end(), [limit](int count) { return count > limit; });
   return static_cast<int>(exceeding - counts.begin()) - 1;
+}
+
+SelectedStep SelectByCount(const std::vector<int>& counts, double target, const char* what)
+{
+  const int step = LastStepWithin(counts, target);
+  if (step >= 0)
+  {
+    return { step, {} };
+  }
+  std::ostringstream problem;
+  problem << "The target of " << target << " " << what << " is below the " << counts.front()
+          << " of the initial approximation, which is given instead.";
+  return { 0, problem.str() };
+}
+
+SelectedStep SelectNearest(int last, double target)
+{
+  const double step = std::floor(target);
+  if (step >= 0.0 && step <= last)
+  {
+    return { static_cast<int>(step), {} };
+  }
+  std::ostringstream problem;
+  problem << "There is no step " << target << ": the stream ends with step " << last
+          << ". The nearest is given instead.";
+  return { step > last ? last : 0, problem.str() };
+}
+
+} // namespace
+
+LevelTarget ToLevelTarget(int number)
+{
+  return number >= static_cast<int>(LevelTarget::Step)
+    ? LevelTarget::Step
+    : static_cast<LevelTarget>(std::clamp(number, 0, static_cast<int>(LevelTarget::FeatureSize)));
+}
+
+const char* LevelTargetName(LevelTarget target)
+{
+  switch (target)
+  {
+    case LevelTarget::Triangles:
+      return "TRIANGLES";
+    case LevelTarget::FeatureSize:
+      return "FEATURE_SIZE";
+    case LevelTarget::Step:
+      return "STEP";
+    default:
+      return "VERTICES";
+  }
+}
+
+SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target)
+{
+  switch (type)
+  {
+    case LevelTarget::Triangles:
+      return SelectByCount(profile.Triangles, target, "triangles");
+    case LevelTarget::FeatureSize:
+    {
+      const auto& sizes = profile.FeatureSize; // never grows, infinite at first
+      const auto small =
+        std::find_if(sizes.begin(), sizes.end(), [target](double size) { return size <= target; });
+      return { std::max(0, static_cast<int>(small - sizes.begin()) - 1), {} };
+    }
+    case LevelTarget::Step:
+      return SelectNearest(profile.LastStep(), target);
+    default:
+      return SelectByCount(profile.Vertices, target, "vertices");
+  }
 }
 
 std::vector<int> SpreadLevels(const Profile& profile, int count)

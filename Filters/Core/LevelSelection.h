@@ -8,6 +8,7 @@
 
 #include "Profile.h"
 
+#include <string>
 #include <vector>
 
 namespace carving
@@ -20,11 +21,33 @@ namespace carving
  */
 std::vector<int> SpreadLevels(const Profile& profile, int count);
 
+/** What a level target counts or measures. */
+enum class LevelTarget : int
+{
+  Vertices = 0,
+  Triangles = 1,
+  FeatureSize = 2,
+  Step = 6
+};
+
+/** The target of that number; of others the nearest below. */
+LevelTarget ToLevelTarget(int number);
+
+/** The name of the filters' enumerator. */
+const char* LevelTargetName(LevelTarget target);
+
+struct SelectedStep
+{
+  int Step;
+  std::string Problem; ///< empty if the target is met, else a sentence that says why it is not
+};
+
 /**
- * The last step such that it and all before it count at most `limit`. `counts` has an entry per
- * step. -1 where even C0 counts more.
+ * The last step such that it and all before it have at most `target` vertices or triangles; the one
+ * before the first pop with a priority of at most `target`, a length; or step `target`. What cannot be
+ * met gives the nearest step.
  */
-int LastStepWithin(const std::vector<int>& counts, double limit);
+SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target);
 
 } // namespace carving
 

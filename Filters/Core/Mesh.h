@@ -7,6 +7,7 @@
 #define carving_Mesh_h
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace carving
@@ -22,46 +23,72 @@ struct TriangleMesh
   std::vector<Triangle> Triangles;
 };
 
-/**
- * The input M after cleaning and resolving: no two points are equal, no triangle is degenerate, no
- * two triangles are equal or meet other than in a shared vertex or edge.
- *
- * `PointSources`, one per point, is the given point at these coordinates, or -1 for a point that
- * resolving made. `TriangleSources`, `Windings` and `Counts` have one entry per triangle: the given
- * triangle that it is (a part of), and of all given triangles merged into it their signed number
- * (those of opposite orientation count -1) and their number.
- */
-struct ResolvedMesh
+/** Directed edges as the user gave them, in the plane of the first two coordinates. */
+struct ContourSet
 {
   std::vector<Point> Points;
-  std::vector<int> PointSources;
-  std::vector<Triangle> Triangles;
-  std::vector<int> TriangleSources;
-  std::vector<int> Windings;
-  std::vector<int> Counts;
+  std::vector<std::array<int, 2>> Edges;
 };
 
 /**
- * The tetrahedra of the initial approximation C0, constrained by the input M.
+ * The input M after cleaning and resolving. Its facets are triangles in space (D = 3) or edges in a
+ * plane (D = 2). No two points are equal, no facet is degenerate, no two facets are equal or meet
+ * other than in a shared vertex or edge.
+ *
+ * `PointSources`, one per point, is the given point at these coordinates, or -1 for a point that
+ * resolving made. `FacetSources`, `Windings` and `Counts` have one entry per facet: the given facet
+ * that it is (a part of), and of all given facets merged into it their signed number (those of
+ * opposite orientation count -1) and their number.
+ */
+template <int D>
+struct ResolvedInput
+{
+  std::vector<Point> Points;
+  std::vector<int> PointSources;
+  std::vector<std::array<int, D>> Facets;
+  std::vector<int> FacetSources;
+  std::vector<int> Windings;
+  std::vector<int> Counts;
+};
+using ResolvedMesh = ResolvedInput<3>;
+
+/** What a cell has for a neighbor where there is no other cell. */
+constexpr int Outside = -1; ///< the exterior of C0
+constexpr int Solid = -2;   ///< the solid of M, where its cells have been left out
+
+/**
+ * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space (D = 3),
+ * triangles in a plane (D = 2).
  *
  * `Surface` is M; after M's own points its `Points` (and `PointSources`) hold the Steiner points.
- * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0. Entry f of `Neighbors` and
- * `Constraints` belongs to the face opposite to corner f: the tetrahedron behind it (-1: none, the
- * face is on C0) and the triangle of M that it lies on (-1: none).
+ * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0, or counter-clockwise in the plane.
+ * Entry f of `Neighbors` and `Constraints` belongs to the face opposite to corner f: the cell behind
+ * it (or Outside or Solid) and the facet of M that it lies on (-1: none).
  */
-struct Tetrahedralization
+template <int D>
+struct Decomposition
 {
-  ResolvedMesh Surface;
-  std::vector<std::array<int, 4>> Cells;
-  std::vector<std::array<int, 4>> Neighbors;
-  std::vector<std::array<int, 4>> Constraints;
+  using Cell = std::array<int, D + 1>;
+  using Facet = std::array<int, D>;
 
-  /** The face opposite to corner f of a cell, counter-clockwise seen from outside the cell. */
-  Triangle OutwardFace(int cell, int f) const
+  ResolvedInput<D> Surface;
+  std::vector<Cell> Cells;
+  std::vector<Cell> Neighbors;
+  std::vector<Cell> Constraints;
+
+  /** The face opposite to corner f of a cell, oriented so that the cell lies behind it. */
+  Facet OutwardFace(int cell, int f) const
   {
-    static constexpr int corners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-    const std::array<int, 4>& c = this->Cells[cell];
-    return { c[corners[f][0]], c[corners[f][1]], c[corners[f][2]] };
+    const Cell& c = this->Cells[cell];
+    if constexpr (D == 3)
+    {
+      static constexpr int corners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+      return { c[corners[f][0]], c[corners[f][1]], c[corners[f][2]] };
+    }
+    else
+    {
+      return { c[(f + 1) % 3], c[(f + 2) % 3] };
+    }
   }
 
   Point Centroid(int cell) const
@@ -71,12 +98,36 @@ struct Tetrahedralization
     {
       for (int i = 0; i < 3; ++i)
       {
-        sum[i] += 0.25 * this->Surface.Points[corner][i];
+        sum[i] += this->Surface.Points[corner][i] / (D + 1);
       }
     }
     return sum;
   }
 };
+using Tetrahedralization = Decomposition<3>;
+
+/** Whether two facets with the same corners have the same orientation. */
+template <int D>
+bool SameDirection(const std::array<int, D>& a, const std::array<int, D>& b)
+{
+  if constexpr (D == 3)
+  {
+    const int i = b[0] == a[0] ? 0 : b[1] == a[0] ? 1 : 2;
+    return b[(i + 1) % 3] == a[1];
+  }
+  else
+  {
+    return a[0] == b[0];
+  }
+}
+
+/** The same facet with the opposite orientation. */
+template <int D>
+std::array<int, D> Flipped(std::array<int, D> facet)
+{
+  std::swap(facet[D - 2], facet[D - 1]);
+  return facet;
+}
 
 } // namespace carving
 

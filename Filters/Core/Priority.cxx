@@ -11,12 +11,25 @@ namespace carving
 namespace
 {
 
-using Corners = std::array<Point, 4>;
+template <int D>
+using Corners = std::array<Point, D + 1>;
 
-double LongestEdge(const Corners& p)
+template <int D>
+Corners<D> GetCorners(const Decomposition<D>& mesh, int cell)
+{
+  Corners<D> corners;
+  for (int i = 0; i <= D; ++i)
+  {
+    corners[i] = mesh.Surface.Points[mesh.Cells[cell][i]];
+  }
+  return corners;
+}
+
+template <int D>
+double LongestEdge(const Corners<D>& p)
 {
   double longest = 0.0;
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i <= D; ++i)
   {
     for (int j = 0; j < i; ++j)
     {
@@ -27,12 +40,25 @@ double LongestEdge(const Corners& p)
   return std::sqrt(longest);
 }
 
-double Volume(const Corners& p)
+double Size(const Corners<3>& p)
 {
   return std::max(0.0, SixVolume(p[0], p[1], p[2], p[3]) / 6.0);
 }
 
-double Circumradius(const Corners& p, double limit)
+double Size(const Corners<2>& p)
+{
+  return Length(Cross(p[1] - p[0], p[2] - p[0])) / 2.0;
+}
+
+/** The length that a volume or an area stands for. */
+template <int D>
+double SizeAsLength(double size)
+{
+  return D == 3 ? std::cbrt(size) : std::sqrt(size);
+}
+
+/** Not finite for flat cells. */
+double Circumradius(const Corners<3>& p)
 {
   const Point a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
   const double aa = Dot(a, a), bb = Dot(b, b), cc = Dot(c, c);
@@ -42,54 +68,73 @@ double Circumradius(const Corners& p, double limit)
   {
     toCenter[i] = aa * bc[i] + bb * ca[i] + cc * ab[i];
   }
-  const double radius = Length(toCenter) / (2.0 * std::abs(Dot(a, bc)));
-  return radius < limit ? radius : limit; // NaN and infinity of flat tetrahedra become the limit
+  return Length(toCenter) / (2.0 * std::abs(Dot(a, bc)));
+}
+
+double Circumradius(const Corners<2>& p)
+{
+  return Length(p[1] - p[0]) * Length(p[2] - p[1]) * Length(p[0] - p[2]) / (4.0 * Size(p));
 }
 
 } // namespace
 
-std::vector<double> ComputePriorities(const Tetrahedralization& mesh, PriorityMeasure measure)
+template <int D>
+double Size(const Decomposition<D>& mesh, int cell)
+{
+  return Size(GetCorners(mesh, cell));
+}
+
+template <int D>
+std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure)
 {
   const double diagonal = Diagonal(mesh.Surface.Points);
   std::vector<double> priorities(mesh.Cells.size());
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    Corners p;
-    for (int i = 0; i < 4; ++i)
-    {
-      p[i] = mesh.Surface.Points[mesh.Cells[cell][i]];
-    }
+    const Corners<D> p = GetCorners(mesh, static_cast<int>(cell));
     switch (measure)
     {
       case PriorityMeasure::LongestEdge:
-        priorities[cell] = LongestEdge(p);
+        priorities[cell] = LongestEdge<D>(p);
         break;
       case PriorityMeasure::Volume:
-        priorities[cell] = Volume(p);
+        priorities[cell] = Size(p);
         break;
       case PriorityMeasure::Circumradius:
-        priorities[cell] = Circumradius(p, diagonal);
+      {
+        const double radius = Circumradius(p);
+        priorities[cell] = radius < diagonal ? radius : diagonal; // which NaN becomes too
         break;
+      }
       case PriorityMeasure::EdgeVolume:
-        priorities[cell] = std::sqrt(LongestEdge(p) * std::cbrt(Volume(p)));
+        priorities[cell] = std::sqrt(LongestEdge<D>(p) * SizeAsLength<D>(Size(p)));
         break;
     }
   }
   return priorities;
 }
 
+template double Size<2>(const Decomposition<2>&, int);
+template double Size<3>(const Decomposition<3>&, int);
+template std::vector<double> ComputePriorities<2>(const Decomposition<2>&, PriorityMeasure);
+template std::vector<double> ComputePriorities<3>(const Decomposition<3>&, PriorityMeasure);
+
+template <int D>
 double PriorityAsLength(double priority, PriorityMeasure measure)
 {
   switch (measure)
   {
     case PriorityMeasure::Volume:
-      return std::cbrt(priority);
+      return SizeAsLength<D>(priority);
     case PriorityMeasure::Circumradius:
       return 2.0 * priority;
     default:
       return priority;
   }
 }
+
+template double PriorityAsLength<2>(double, PriorityMeasure);
+template double PriorityAsLength<3>(double, PriorityMeasure);
 
 double Diagonal(const std::vector<Point>& points)
 {

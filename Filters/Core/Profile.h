@@ -6,19 +6,26 @@
 #ifndef carving_Profile_h
 #define carving_Profile_h
 
-#include "Carver.h"
-#include "Mesh.h"
+#include "Faces.h"
+#include "StoredStream.h"
 
 #include <vector>
 
 namespace carving
 {
 
-/** One entry per step, from C0 on: vertices and triangles of that approximation. */
+/**
+ * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are those of that
+ * approximation before it is cut into manifolds.
+ */
 struct Profile
 {
   std::vector<int> Vertices;
   std::vector<int> Triangles;
+  /** Of the tetrahedron popped at that step; NaN for C0. */
+  std::vector<double> Priority;
+  /** The smallest priority popped so far, as a length (PriorityAsLength); infinite for C0. */
+  std::vector<double> FeatureSize;
 
   int LastStep() const
   {
@@ -26,8 +33,14 @@ struct Profile
   }
 };
 
-/** O(tetrahedra): sums up where each vertex and face appears and vanishes. */
-Profile ComputeProfile(const Tetrahedralization& mesh, const Stream& stream);
+/** O(cells): sums up where each vertex and face appears and vanishes. */
+template <int D>
+Profile ComputeProfile(const StoredStream<D>& stream);
+
+/** Fills `Priority` and `FeatureSize`. */
+template <int D>
+void SetPriorities(
+  Profile& profile, const std::vector<double>& stepPriorities, PriorityMeasure measure);
 
 } // namespace carving
 

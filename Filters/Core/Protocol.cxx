@@ -14,8 +14,8 @@ namespace
 {
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '2' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '1' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '3' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '2' };
 
 class Writer
 {
@@ -122,6 +122,26 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Initial);
   archive.Array(job.Mesh.Points);
   archive.Array(job.Mesh.Triangles);
+  archive.Array(job.InitialMesh.Points);
+  archive.Array(job.InitialMesh.Triangles);
+  archive.Array(job.Contours.Points);
+  archive.Array(job.Contours.Edges);
+  archive.Array(job.InitialContours.Points);
+  archive.Array(job.InitialContours.Edges);
+}
+
+template <class Archive, class Mesh>
+void VisitDecomposition(Archive& archive, Mesh& mesh)
+{
+  archive.Array(mesh.Surface.Points);
+  archive.Array(mesh.Surface.PointSources);
+  archive.Array(mesh.Surface.Facets);
+  archive.Array(mesh.Surface.FacetSources);
+  archive.Array(mesh.Surface.Windings);
+  archive.Array(mesh.Surface.Counts);
+  archive.Array(mesh.Cells);
+  archive.Array(mesh.Neighbors);
+  archive.Array(mesh.Constraints);
 }
 
 /** The fields of a reply. */
@@ -129,15 +149,8 @@ template <class Archive, class ReplyType>
 void VisitReply(Archive& archive, ReplyType& reply)
 {
   archive.Array(reply.Error);
-  archive.Array(reply.Result.Surface.Points);
-  archive.Array(reply.Result.Surface.PointSources);
-  archive.Array(reply.Result.Surface.Triangles);
-  archive.Array(reply.Result.Surface.TriangleSources);
-  archive.Array(reply.Result.Surface.Windings);
-  archive.Array(reply.Result.Surface.Counts);
-  archive.Array(reply.Result.Cells);
-  archive.Array(reply.Result.Neighbors);
-  archive.Array(reply.Result.Constraints);
+  VisitDecomposition(archive, reply.Result);
+  VisitDecomposition(archive, reply.Plane);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
 }
@@ -159,11 +172,12 @@ bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
 }
 
 /** Both sides of every face must agree on who the neighbors are and on the constraint. */
-bool NeighborsAgree(const Tetrahedralization& mesh)
+template <int D>
+bool NeighborsAgree(const Decomposition<D>& mesh)
 {
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; f <= D; ++f)
     {
       const int neighbor = mesh.Neighbors[cell][f];
       if (neighbor < 0)
@@ -183,18 +197,19 @@ bool NeighborsAgree(const Tetrahedralization& mesh)
 }
 
 /** The mistake in a tetrahedralization, or an empty string. */
-std::string FindMistake(const Tetrahedralization& mesh)
+template <int D>
+std::string FindMistake(const Decomposition<D>& mesh)
 {
-  const ResolvedMesh& surface = mesh.Surface;
-  const std::size_t triangles = surface.Triangles.size();
+  const ResolvedInput<D>& surface = mesh.Surface;
+  const std::size_t triangles = surface.Facets.size();
   if (surface.PointSources.size() != surface.Points.size() ||
-    surface.TriangleSources.size() != triangles || surface.Windings.size() != triangles ||
+    surface.FacetSources.size() != triangles || surface.Windings.size() != triangles ||
     surface.Counts.size() != triangles || mesh.Neighbors.size() != mesh.Cells.size() ||
     mesh.Constraints.size() != mesh.Cells.size())
   {
     return "arrays that belong together differ in length";
   }
-  if (!IndicesWithin(surface.Triangles, 0, surface.Points.size()) ||
+  if (!IndicesWithin(surface.Facets, 0, surface.Points.size()) ||
     !IndicesWithin(mesh.Cells, 0, surface.Points.size()))
   {
     return "a vertex index is out of range";
@@ -237,18 +252,22 @@ std::string Read(const char* data, std::size_t size, Job& job)
   {
     return "the job is incomplete";
   }
-  if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections)
+  if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections &&
+    job.Kind != JobKind::Triangulate)
   {
     return "the job is of an unknown kind";
   }
   if (job.Initial != InitialApproximation::ConvexHull &&
-    job.Initial != InitialApproximation::BoundingBox)
+    job.Initial != InitialApproximation::BoundingBox && job.Initial != InitialApproximation::Custom)
   {
     return "the job wants an unknown initial approximation";
   }
-  if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()))
+  if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
+    !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||
+    !IndicesWithin(job.Contours.Edges, 0, job.Contours.Points.size()) ||
+    !IndicesWithin(job.InitialContours.Edges, 0, job.InitialContours.Points.size()))
   {
-    return "the job has a triangle with a vertex index out of range";
+    return "the job has a triangle or an edge with a vertex index out of range";
   }
   return {};
 }
@@ -271,7 +290,8 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   {
     return "the reply is incomplete";
   }
-  return FindMistake(reply.Result);
+  const std::string mistake = FindMistake(reply.Result);
+  return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }
 
 std::string ProgressLine(Stage stage, double fraction)

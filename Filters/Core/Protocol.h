@@ -24,7 +24,9 @@ enum class JobKind : int
   /** Clean, resolve and tetrahedralize the mesh: everything in the reply is filled. */
   Tetrahedralize = 1,
   /** Clean the mesh and count its intersecting pairs: only these are filled. */
-  CountIntersections = 2
+  CountIntersections = 2,
+  /** Resolve and triangulate the contours: `Plane` of the reply is filled instead of `Result`. */
+  Triangulate = 3
 };
 
 /** What bounds the tetrahedra (section 3.1). */
@@ -32,7 +34,9 @@ enum class InitialApproximation : int
 {
   ConvexHull = 0,
   /** The bounding box, grown by BoxMargin of its diagonal on every side. */
-  BoundingBox = 1
+  BoundingBox = 1,
+  /** A closed mesh of genus zero (a simple polygon) that encloses M, given with the job. */
+  Custom = 2
 };
 constexpr double BoxMargin = 0.01;
 
@@ -41,6 +45,9 @@ struct Job
   JobKind Kind = JobKind::Tetrahedralize;
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   TriangleMesh Mesh;
+  TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
+  ContourSet Contours;        ///< for JobKind::Triangulate
+  ContourSet InitialContours; ///< for JobKind::Triangulate and InitialApproximation::Custom
 };
 
 /** A stage of the helper's work, in the order of execution. */
@@ -58,6 +65,7 @@ struct Reply
   /** Empty if the job succeeded; else what went wrong, for the user, and the rest is unspecified. */
   std::string Error;
   Tetrahedralization Result;
+  Decomposition<2> Plane;
   /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */

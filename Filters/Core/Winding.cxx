@@ -9,16 +9,16 @@
 namespace carving
 {
 
-double WindingNumber(const ResolvedMesh& mesh, const Point& point)
+double WindingNumber(const ResolvedInput<3>& mesh, const Point& point)
 {
   double halfAngles = 0.0;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < mesh.Facets.size(); ++t)
   {
     if (mesh.Windings[t] == 0)
     {
       continue;
     }
-    const Triangle& corner = mesh.Triangles[t];
+    const Triangle& corner = mesh.Facets[t];
     const Point a = mesh.Points[corner[0]] - point;
     const Point b = mesh.Points[corner[1]] - point;
     const Point c = mesh.Points[corner[2]] - point;
@@ -31,27 +31,50 @@ double WindingNumber(const ResolvedMesh& mesh, const Point& point)
   return halfAngles / (2.0 * std::acos(-1.0));
 }
 
-bool IsClosed(const ResolvedMesh& mesh)
+double WindingNumber(const ResolvedInput<2>& contours, const Point& point)
 {
-  // Every edge once per triangle, as (smaller vertex, larger vertex) with the signed number of
-  // crossings from the smaller to the larger.
-  std::vector<std::pair<std::pair<int, int>, int>> edges;
-  edges.reserve(3 * mesh.Triangles.size());
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  double angles = 0.0;
+  for (std::size_t e = 0; e < contours.Facets.size(); ++e)
   {
-    for (int i = 0; i < 3; ++i)
+    const auto& [from, to] = contours.Facets[e];
+    const Point a = contours.Points[from] - point;
+    const Point b = contours.Points[to] - point;
+    angles +=
+      contours.Windings[e] * std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+  }
+  return angles / (2.0 * std::acos(-1.0));
+}
+
+template <int D>
+bool IsClosed(const ResolvedInput<D>& input)
+{
+  // The ridges of every facet, in the plane its end points, with the signed number of passages.
+  using Ridge = std::array<int, D - 1>;
+  std::vector<std::pair<Ridge, int>> ridges;
+  ridges.reserve(D * input.Facets.size());
+  for (std::size_t f = 0; f < input.Facets.size(); ++f)
+  {
+    const std::array<int, D>& facet = input.Facets[f];
+    for (int i = 0; i < D; ++i)
     {
-      const int a = mesh.Triangles[t][i];
-      const int b = mesh.Triangles[t][(i + 1) % 3];
-      edges.push_back({ std::minmax(a, b), a < b ? mesh.Windings[t] : -mesh.Windings[t] });
+      if constexpr (D == 3)
+      {
+        const int a = facet[i], b = facet[(i + 1) % 3];
+        ridges.push_back(
+          { { std::min(a, b), std::max(a, b) }, a < b ? input.Windings[f] : -input.Windings[f] });
+      }
+      else
+      {
+        ridges.push_back({ { facet[i] }, i == 0 ? -input.Windings[f] : input.Windings[f] });
+      }
     }
   }
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();)
+  std::sort(ridges.begin(), ridges.end());
+  for (auto first = ridges.begin(); first != ridges.end();)
   {
     int sum = 0;
     auto last = first;
-    for (; last != edges.end() && last->first == first->first; ++last)
+    for (; last != ridges.end() && last->first == first->first; ++last)
     {
       sum += last->second;
     }
@@ -63,5 +86,8 @@ bool IsClosed(const ResolvedMesh& mesh)
   }
   return true;
 }
+
+template bool IsClosed<2>(const ResolvedInput<2>&);
+template bool IsClosed<3>(const ResolvedInput<3>&);
 
 } // namespace carving

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Winding number of a triangle soup around a point.
+ * Winding number of M around a point.
  */
 #ifndef carving_Winding_h
 #define carving_Winding_h
@@ -12,17 +12,21 @@ namespace carving
 {
 
 /**
- * Generalized winding number of M around a point that lies on no triangle: the sum of the signed
- * solid angles of all triangles, each times its entry in `Windings`, over 4 pi. An integer where M
- * is closed and consistently oriented.
+ * Generalized winding number of M around a point that lies on no facet: the sum of the signed solid
+ * angles of all triangles, or of the signed angles of all edges in the projection along z, each times
+ * its entry in `Windings`, as a share of the full angle. An integer where M is closed and consistently
+ * oriented.
  */
-double WindingNumber(const ResolvedMesh& mesh, const Point& point);
+double WindingNumber(const ResolvedInput<3>& mesh, const Point& point);
+double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 
 /**
- * Whether every edge of M is crossed as often in one direction as in the other, counting `Windings`.
- * Then the winding number is an integer everywhere off M and changes only across triangles.
+ * Whether every edge of M (every vertex, in the plane) is passed as often in one direction as in the
+ * other, counting `Windings`. Then the winding number is an integer everywhere off M and changes only
+ * across facets.
  */
-bool IsClosed(const ResolvedMesh& mesh);
+template <int D>
+bool IsClosed(const ResolvedInput<D>& input);
 
 } // namespace carving
 

@@ -57,10 +57,10 @@ void MergeEqualTriangles(ResolvedMesh& mesh)
     int Index;
     int Sign;
   };
-  std::vector<Key> keys(mesh.Triangles.size());
+  std::vector<Key> keys(mesh.Facets.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    keys[i].Corners = Sorted(mesh.Triangles[i], keys[i].Sign);
+    keys[i].Corners = Sorted(mesh.Facets[i], keys[i].Sign);
     keys[i].Index = static_cast<int>(i);
   }
   std::sort(keys.begin(), keys.end(),
@@ -84,15 +84,15 @@ void MergeEqualTriangles(ResolvedMesh& mesh)
   {
     if (keep[from])
     {
-      mesh.Triangles[to] = mesh.Triangles[from];
-      mesh.TriangleSources[to] = mesh.TriangleSources[from];
+      mesh.Facets[to] = mesh.Facets[from];
+      mesh.FacetSources[to] = mesh.FacetSources[from];
       mesh.Windings[to] = mesh.Windings[from];
       mesh.Counts[to] = mesh.Counts[from];
       ++to;
     }
   }
-  mesh.Triangles.resize(to);
-  mesh.TriangleSources.resize(to);
+  mesh.Facets.resize(to);
+  mesh.FacetSources.resize(to);
   mesh.Windings.resize(to);
   mesh.Counts.resize(to);
 }
@@ -105,9 +105,9 @@ ResolvedMesh AsResolved(const TriangleMesh& given)
   mesh.Points = given.Points;
   mesh.PointSources.resize(given.Points.size());
   std::iota(mesh.PointSources.begin(), mesh.PointSources.end(), 0);
-  mesh.Triangles = given.Triangles;
-  mesh.TriangleSources.resize(given.Triangles.size());
-  std::iota(mesh.TriangleSources.begin(), mesh.TriangleSources.end(), 0);
+  mesh.Facets = given.Triangles;
+  mesh.FacetSources.resize(given.Triangles.size());
+  std::iota(mesh.FacetSources.begin(), mesh.FacetSources.end(), 0);
   mesh.Windings.assign(given.Triangles.size(), 1);
   mesh.Counts.assign(given.Triangles.size(), 1);
   return mesh;
@@ -118,9 +118,9 @@ ResolvedMesh Clean(const ResolvedMesh& mesh)
   ResolvedMesh result;
   std::vector<int> newIndex = FirstEqualPoints(mesh.Points);
   std::vector<char> used(mesh.Points.size(), 0);
-  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
   {
-    Triangle t = mesh.Triangles[i];
+    Triangle t = mesh.Facets[i];
     for (int& corner : t)
     {
       corner = newIndex[corner];
@@ -133,8 +133,8 @@ ResolvedMesh Clean(const ResolvedMesh& mesh)
     {
       used[corner] = 1;
     }
-    result.Triangles.push_back(t);
-    result.TriangleSources.push_back(mesh.TriangleSources[i]);
+    result.Facets.push_back(t);
+    result.FacetSources.push_back(mesh.FacetSources[i]);
     result.Windings.push_back(mesh.Windings[i]);
     result.Counts.push_back(mesh.Counts[i]);
   }
@@ -147,7 +147,7 @@ ResolvedMesh Clean(const ResolvedMesh& mesh)
       result.PointSources.push_back(mesh.PointSources[i]);
     }
   }
-  for (Triangle& t : result.Triangles)
+  for (Triangle& t : result.Facets)
   {
     for (int& corner : t)
     {

@@ -25,7 +25,7 @@ using Cuts = std::vector<Exact::Segment_3>;
 
 Exact::Triangle_3 ExactTriangle(const ResolvedMesh& mesh, int triangle)
 {
-  const Triangle& t = mesh.Triangles[triangle];
+  const Triangle& t = mesh.Facets[triangle];
   return { ToExact(mesh.Points[t[0]]), ToExact(mesh.Points[t[1]]), ToExact(mesh.Points[t[2]]) };
 }
 
@@ -66,8 +66,8 @@ Point Round(const Exact::Point_3& p)
 void AppendPiece(
   const ResolvedMesh& mesh, int triangle, const Triangle& piece, ResolvedMesh& result)
 {
-  result.Triangles.push_back(piece);
-  result.TriangleSources.push_back(mesh.TriangleSources[triangle]);
+  result.Facets.push_back(piece);
+  result.FacetSources.push_back(mesh.FacetSources[triangle]);
   result.Windings.push_back(mesh.Windings[triangle]);
   result.Counts.push_back(mesh.Counts[triangle]);
 }
@@ -82,7 +82,7 @@ void AppendPieces(const ResolvedMesh& mesh, int triangle, const Cuts& cuts, Reso
   for (int i = 0; i < 3; ++i)
   {
     corners[i] = triangulation.insert(whole[i]);
-    indices[corners[i]] = mesh.Triangles[triangle][i];
+    indices[corners[i]] = mesh.Facets[triangle][i];
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -123,7 +123,7 @@ std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& 
 {
   // Nearly every mesh is clean after one round; the limit ends those that rounding keeps dirty.
   constexpr int maximumRounds = 10;
-  std::vector<std::pair<int, int>> pairs = FindIntersections(mesh.Points, mesh.Triangles);
+  std::vector<std::pair<int, int>> pairs = FindIntersections(mesh.Points, mesh.Facets);
   intersectingPairs = static_cast<int>(pairs.size());
   for (int round = 0; !pairs.empty(); ++round)
   {
@@ -153,12 +153,12 @@ std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& 
     ResolvedMesh next;
     next.Points = mesh.Points;
     next.PointSources = mesh.PointSources;
-    for (int i = 0; i < static_cast<int>(mesh.Triangles.size()); ++i)
+    for (int i = 0; i < static_cast<int>(mesh.Facets.size()); ++i)
     {
       const auto found = cuts.find(i);
       if (found == cuts.end())
       {
-        AppendPiece(mesh, i, mesh.Triangles[i], next);
+        AppendPiece(mesh, i, mesh.Facets[i], next);
       }
       else
       {
@@ -166,7 +166,7 @@ std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& 
       }
     }
     mesh = Clean(next);
-    pairs = FindIntersections(mesh.Points, mesh.Triangles);
+    pairs = FindIntersections(mesh.Points, mesh.Facets);
   }
   return {};
 }

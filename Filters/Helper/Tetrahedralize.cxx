@@ -34,8 +34,8 @@ void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& su
   io.numberofpoints = static_cast<int>(points.size());
   io.pointlist = new REAL[3 * points.size()];
   std::copy_n(points.front().data(), 3 * points.size(), io.pointlist);
-  io.numberoffacets = static_cast<int>(surface.Triangles.size());
-  io.facetlist = new tetgenio::facet[surface.Triangles.size()];
+  io.numberoffacets = static_cast<int>(surface.Facets.size());
+  io.facetlist = new tetgenio::facet[surface.Facets.size()];
   for (int i = 0; i < io.numberoffacets; ++i)
   {
     tetgenio::facet& facet = io.facetlist[i];
@@ -45,7 +45,7 @@ void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& su
     tetgenio::polygon& polygon = facet.polygonlist[0];
     polygon.numberofvertices = 3;
     polygon.vertexlist = new int[3];
-    std::copy_n(surface.Triangles[i].data(), 3, polygon.vertexlist);
+    std::copy_n(surface.Facets[i].data(), 3, polygon.vertexlist);
   }
 }
 
@@ -72,10 +72,10 @@ Triangle Sorted(Triangle t)
 std::size_t FindConstraints(Tetrahedralization& result)
 {
   std::unordered_map<Triangle, int, TriangleHash> triangles;
-  triangles.reserve(result.Surface.Triangles.size());
-  for (std::size_t i = 0; i < result.Surface.Triangles.size(); ++i)
+  triangles.reserve(result.Surface.Facets.size());
+  for (std::size_t i = 0; i < result.Surface.Facets.size(); ++i)
   {
-    triangles.emplace(Sorted(result.Surface.Triangles[i]), static_cast<int>(i));
+    triangles.emplace(Sorted(result.Surface.Facets[i]), static_cast<int>(i));
   }
   std::vector<char> found(triangles.size(), 0);
   result.Constraints.resize(result.Cells.size());
@@ -117,13 +117,13 @@ std::vector<Point> GrownBox(const std::vector<Point>& points)
 std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
-  if (surface.Triangles.empty())
+  if (surface.Facets.empty())
   {
     return "No triangle of the mesh has an area: there is nothing to carve out.";
   }
   std::vector<Point> points = surface.Points;
   points.insert(points.end(), further.begin(), further.end());
-  if (IsFlat(points, surface.Triangles))
+  if (IsFlat(points, surface.Facets))
   {
     return "All points lie in one plane, so that their convex hull has no volume to carve.";
   }
@@ -157,7 +157,7 @@ std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization
   if (const std::size_t missing = FindConstraints(result))
   {
     return "TetGen lost " + std::to_string(missing) + " of " +
-      std::to_string(surface.Triangles.size()) + " triangles of the mesh" + Advice;
+      std::to_string(surface.Facets.size()) + " triangles of the mesh" + Advice;
   }
   return {};
 }

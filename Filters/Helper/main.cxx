@@ -5,10 +5,12 @@
  * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
  */
 #include "Clean.h"
+#include "InitialSurface.h"
 #include "Intersections.h"
 #include "Protocol.h"
 #include "Resolve.h"
 #include "Tetrahedralize.h"
+#include "Triangulate.h"
 
 #include <cerrno>
 #include <chrono>
@@ -82,8 +84,32 @@ void CountIntersections(const Job& job, Reply& reply)
   const ResolvedMesh mesh = std::move(reply.Result.Surface);
   reply.Result = {};
   reporter.Begin(Stage::Resolve);
-  reply.IntersectingPairs = static_cast<int>(FindIntersections(mesh.Points, mesh.Triangles).size());
+  reply.IntersectingPairs = static_cast<int>(FindIntersections(mesh.Points, mesh.Facets).size());
   reporter.End();
+}
+
+/** Resolves M and C0 together, so that they meet in common vertices and edges only. */
+std::string AddInitial(const Job& job, ResolvedMesh& surface)
+{
+  const std::string mistake = CheckInitialSurface(job.InitialMesh);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  AddInitialSurface(job.InitialMesh, surface);
+  surface = Clean(surface);
+  int pairs = 0; // of M with C0: not the input's
+  return Resolve(surface, pairs, {});
+}
+
+std::string TetrahedralizeWithin(const Job& job, Tetrahedralization& result)
+{
+  const std::vector<Point>& points = result.Surface.Points;
+  const bool box = job.Initial == InitialApproximation::BoundingBox && !points.empty();
+  const std::string error = Tetrahedralize(box ? GrownBox(points) : std::vector<Point>(), result);
+  return error.empty() && job.Initial == InitialApproximation::Custom
+    ? RemoveOutsideOfInitial(result)
+    : error;
 }
 
 void TetrahedralizeGiven(const Job& job, Reply& reply)
@@ -93,14 +119,37 @@ void TetrahedralizeGiven(const Job& job, Reply& reply)
   reporter.Begin(Stage::Resolve);
   reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs,
     [&](double fraction) { return reporter.Report(fraction); });
+  if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
+  {
+    reply.Error = AddInitial(job, reply.Result.Surface);
+  }
   reporter.End();
   if (reply.Error.empty())
   {
     reporter.Begin(Stage::Tetrahedralize);
-    const bool box = job.Initial == InitialApproximation::BoundingBox;
-    const std::vector<Point>& points = reply.Result.Surface.Points;
-    reply.Error = Tetrahedralize(
-      box && !points.empty() ? GrownBox(points) : std::vector<Point>(), reply.Result);
+    reply.Error = TetrahedralizeWithin(job, reply.Result);
+    reporter.End();
+  }
+}
+
+void TriangulateGiven(const Job& job, Reply& reply)
+{
+  Reporter reporter(reply);
+  reporter.Begin(Stage::Clean);
+  Contours contours = Clean(AsContours(job.Contours, false));
+  reporter.End();
+  reporter.Begin(Stage::Resolve);
+  reply.Error = Resolve(
+    contours, reply.IntersectingPairs, [&](double fraction) { return reporter.Report(fraction); });
+  if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
+  {
+    reply.Error = InsertInitialContour(job.InitialContours, contours);
+  }
+  reporter.End();
+  if (reply.Error.empty())
+  {
+    reporter.Begin(Stage::Tetrahedralize);
+    reply.Error = Triangulate(contours, job.Initial, job.Contours, reply.Plane);
     reporter.End();
   }
 }
@@ -146,10 +195,14 @@ int main()
     case JobKind::CountIntersections:
       CountIntersections(job, reply);
       break;
+    case JobKind::Triangulate:
+      TriangulateGiven(job, reply);
+      break;
   }
   if (!reply.Error.empty())
   {
     reply.Result = {};
+    reply.Plane = {};
   }
   std::fflush(stdout);
   dup2(replyDescriptor, STDOUT_FILENO);

@@ -12,6 +12,7 @@ import unittest
 from meshes import two_cubes
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
@@ -225,7 +226,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve(BONES, "--levels", levels), 2, "--levels")
         for targets in ("", ",", "1,,2", "10,x", "0"):
             self.expect_failure(self.run_carve(BONES, "--vertices", targets), 2, "--vertices")
-        self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "not together")
+        self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "only one")
         self.expect_failure(self.run_carve(BONES, "--levels", "9", "--triangles", "9"), 2, "--levels")
         self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "on or off")
         self.expect_failure(self.run_carve(BONES, "--solid-rule", "odd"), 2, "even-odd")
@@ -269,6 +270,42 @@ class TestCarve(unittest.TestCase):
             pass
         for extension in (".vtm", ".vtp", ".ply", ".obj", ".stl"):
             self.expect_failure(self.run_carve(BONES, "-o", "file/out" + extension), 1, "file/out", "write")
+
+    # Stored streams
+
+    def test_answers_from_a_stored_stream(self):
+        """--stream writes what is enough to give any level later, bit for bit, in another process."""
+        for option in (("--levels", "4"), ("--vertices", "300,900"), ("--triangles", "700"), ("--step", "0,55"),
+                       ("--feature-size", "0.8")):
+            carved = self.table(BONES, "--stream", "out.vtu", "-o", "carved.vtm", *option)
+            answered = self.table("out.vtu", "-o", "answered.vtm", *option)
+            self.assertEqual(carved, answered)
+            for i in range(len(carved)):
+                with open(self.path(f"carved/carved_{i}.vtp"), "rb") as a:
+                    with open(self.path(f"answered/answered_{i}.vtp"), "rb") as b:
+                        self.assertEqual(a.read(), b.read())
+
+    def test_refuses_to_carve_a_stream_again(self):
+        """Options of carving do not go with a stored stream, and other .vtu files are no streams."""
+        self.table(BONES, "--stream", "out.vtu")
+        self.expect_failure(self.run_carve("out.vtu", "--depth-exponent", "2"), 2, "--depth-exponent", "already")
+        self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
+        self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
+
+    def test_starts_from_a_given_mesh(self):
+        """--initial-mesh is level 0; one that does not contain the input is refused."""
+        for size, name in ((100.0, "big.ply"), (0.01, "small.ply")):
+            cube = vtkCubeSource()
+            cube.SetBounds(-size, size, -size, size, -size, size)
+            triangulate = vtkTriangleFilter()
+            triangulate.SetInputConnection(cube.GetOutputPort())
+            writer = vtkPLYWriter()
+            writer.SetInputConnection(triangulate.GetOutputPort())
+            writer.SetFileName(self.path(name))
+            writer.Write()
+        self.assertEqual(self.table(BONES, "--initial-mesh", "big.ply")[0], (0, 0, 8, 12))
+        self.expect_failure(self.run_carve(BONES, "--initial-mesh", "small.ply"), 1, "does not contain")
+        self.expect_failure(self.run_carve(BONES, "--initial-approximation", "custom"), 2, "--initial-mesh")
 
     def test_reports_a_missing_helper(self):
         """The helper program's absence is one line, too."""

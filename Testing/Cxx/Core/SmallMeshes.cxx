@@ -20,9 +20,9 @@ Tetrahedralization Assemble(const std::vector<Point>& points,
   mesh.Surface.Points = points;
   mesh.Surface.PointSources.resize(points.size());
   std::iota(mesh.Surface.PointSources.begin(), mesh.Surface.PointSources.end(), 0);
-  mesh.Surface.Triangles = triangles;
-  mesh.Surface.TriangleSources.resize(triangles.size());
-  std::iota(mesh.Surface.TriangleSources.begin(), mesh.Surface.TriangleSources.end(), 0);
+  mesh.Surface.Facets = triangles;
+  mesh.Surface.FacetSources.resize(triangles.size());
+  std::iota(mesh.Surface.FacetSources.begin(), mesh.Surface.FacetSources.end(), 0);
   mesh.Surface.Windings.assign(triangles.size(), 1);
   mesh.Surface.Counts.assign(triangles.size(), 1);
   mesh.Cells = cells;
@@ -147,6 +147,21 @@ Stream CarveOneByOne(const Tetrahedralization& mesh)
   options.CarveExposed = false;
   Carve(mesh, Classify(mesh), options, stream);
   return stream;
+}
+
+carving::StoredStream<3> StoreOneByOne(const Tetrahedralization& mesh)
+{
+  return Store(mesh, Classify(mesh), CarveOneByOne(mesh));
+}
+
+std::vector<Triangle> Triangles(const Level<3>& level)
+{
+  std::vector<Triangle> triangles;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    triangles.push_back(face.Corners);
+  }
+  return triangles;
 }
 
 } // namespace small

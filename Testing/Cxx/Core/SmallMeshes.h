@@ -7,7 +7,9 @@
 #define SmallMeshes_h
 
 #include "Carver.h"
+#include "Level.h"
 #include "Mesh.h"
+#include "StoredStream.h"
 
 namespace small
 {
@@ -37,6 +39,12 @@ carving::Tetrahedralization Row(int n);
 
 /** A stream with one tetrahedron a step. */
 carving::Stream CarveOneByOne(const carving::Tetrahedralization& mesh);
+
+/** It, stored; nothing but its tetrahedra's numbers changes where M has no solid. */
+carving::StoredStream<3> StoreOneByOne(const carving::Tetrahedralization& mesh);
+
+/** The faces' corners. */
+std::vector<carving::Triangle> Triangles(const carving::Level<3>& level);
 
 } // namespace small
 

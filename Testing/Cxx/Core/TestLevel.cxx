@@ -23,10 +23,10 @@ std::vector<Triangle> Canonical(std::vector<Triangle> triangles)
   return triangles;
 }
 
-double SixVolume(const Tetrahedralization& mesh, const Level& level)
+double SixVolume(const Tetrahedralization& mesh, const Level<3>& level)
 {
   double sum = 0.0;
-  for (const auto& [a, b, c] : level.Triangles)
+  for (const auto& [a, b, c] : small::Triangles(level))
   {
     const std::vector<Point>& p = mesh.Surface.Points;
     sum += Dot(p[a], Cross(p[b], p[c]));
@@ -40,19 +40,25 @@ double SixVolume(const Tetrahedralization& mesh, const Level& level)
 TEST(Level, ZeroIsTheHull)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Level level = ExtractLevel(mesh, small::CarveOneByOne(mesh), 0);
-  EXPECT_EQ(Canonical(level.Triangles), Canonical(small::OuterFaces()));
-  EXPECT_EQ(level.Constraints, std::vector<int>(4, -1));
+  const Level<3> level = ExtractLevel(small::StoreOneByOne(mesh), 0);
+  EXPECT_EQ(Canonical(small::Triangles(level)), Canonical(small::OuterFaces()));
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    EXPECT_EQ(face.Constraint, -1);
+  }
 }
 
 // The last level is M, oriented outward even where M is inside out.
 TEST(Level, LastIsTheInputOrientedOutward)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::Flipped(small::InnerFaces()));
-  const Stream stream = small::CarveOneByOne(mesh);
-  const Level level = ExtractLevel(mesh, stream, stream.LastStep());
-  EXPECT_EQ(Canonical(level.Triangles), Canonical(small::InnerFaces()));
-  EXPECT_EQ(level.CellsBehind, std::vector<int>(4, 12));
+  const StoredStream<3> stream = small::StoreOneByOne(mesh);
+  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  EXPECT_EQ(Canonical(small::Triangles(level)), Canonical(small::InnerFaces()));
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    EXPECT_EQ(face.Behind, Solid);
+  }
 }
 
 // Every level between bounds a volume that shrinks by that of the tetrahedra carved.
@@ -60,6 +66,7 @@ TEST(Level, LosesTheVolumeOfWhatIsCarved)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
   const Stream stream = small::CarveOneByOne(mesh);
+  const StoredStream<3> stored = small::StoreOneByOne(mesh);
   double expected = 8.0 * 8.0 * 8.0; // six times the volume of the outer tetrahedron
   for (int step = 0; step <= stream.LastStep(); ++step)
   {
@@ -72,7 +79,7 @@ TEST(Level, LosesTheVolumeOfWhatIsCarved)
         expected -= carving::SixVolume(p[a], p[b], p[c], p[d]);
       }
     }
-    EXPECT_NEAR(SixVolume(mesh, ExtractLevel(mesh, stream, step)), expected, 1e-9);
+    EXPECT_NEAR(SixVolume(mesh, ExtractLevel(stored, step)), expected, 1e-9);
   }
   EXPECT_NEAR(expected, 2.0 * 2.0 * 2.0, 1e-9); // of the inner one
 }
@@ -85,12 +92,12 @@ TEST(Level, ShowsAFoldOnce)
     const Tetrahedralization mesh =
       small::Assemble({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
         { { 0, 1, 2, 3 }, { 4, 1, 2, 3 } }, { sheet });
-    const Stream stream = small::CarveOneByOne(mesh);
-    const Level level = ExtractLevel(mesh, stream, stream.LastStep());
-    ASSERT_EQ(level.Triangles.size(), 1u);
-    EXPECT_EQ(level.Triangles[0], sheet);
-    EXPECT_EQ(level.Constraints[0], 0);
-    EXPECT_EQ(level.CellsBehind[0], -1);
+    const StoredStream<3> stream = small::StoreOneByOne(mesh);
+    const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+    ASSERT_EQ(level.Faces.size(), 1u);
+    EXPECT_EQ(level.Faces[0].Corners, sheet);
+    EXPECT_EQ(level.Faces[0].Constraint, 0);
+    EXPECT_TRUE(level.Faces[0].Fold);
   }
 }
 
@@ -99,8 +106,8 @@ TEST(Level, HidesWhatLiesWithinTheSolid)
 {
   const Tetrahedralization mesh =
     small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
-  const Level level = ExtractLevel(mesh, small::CarveOneByOne(mesh), 0);
-  EXPECT_EQ(Canonical(level.Triangles), Canonical(small::OuterFaces()));
+  const Level<3> level = ExtractLevel(small::StoreOneByOne(mesh), 0);
+  EXPECT_EQ(Canonical(small::Triangles(level)), Canonical(small::OuterFaces()));
 }
 
 // The wall of an opened void faces into the void.
@@ -108,8 +115,8 @@ TEST(Level, OrientsTheWallOfAVoidIntoIt)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(
     small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
-  const Stream stream = small::CarveOneByOne(mesh);
-  EXPECT_EQ(Canonical(ExtractLevel(mesh, stream, stream.LastStep()).Triangles),
+  const StoredStream<3> stream = small::StoreOneByOne(mesh);
+  EXPECT_EQ(Canonical(small::Triangles(ExtractLevel(stream, stream.Order.LastStep()))),
     Canonical(small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));
 }
 
@@ -117,10 +124,21 @@ TEST(Level, OrientsTheWallOfAVoidIntoIt)
 TEST(Level, NamesTheTetrahedronBehindACarvedFace)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Stream stream = small::CarveOneByOne(mesh);
-  const Level level = ExtractLevel(mesh, stream, 3);
-  for (std::size_t i = 0; i < level.Triangles.size(); ++i)
+  const StoredStream<3> stream = small::StoreOneByOne(mesh);
+  for (const FaceLife<3>& face : ExtractLevel(stream, 3).Faces)
   {
-    EXPECT_GT(stream.Step[level.CellsBehind[i]], 3);
+    EXPECT_GT(StepAt(stream, face.Behind), 3);
   }
+}
+
+// With both sides of folds, a triangle of M with the exterior on both sides appears with its copy.
+TEST(Level, ShowsBothSidesOfAFoldIfAsked)
+{
+  const Tetrahedralization mesh =
+    small::Assemble({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
+      { { 0, 1, 2, 3 }, { 4, 1, 2, 3 } }, { { 1, 2, 3 } });
+  StoredStream<3> stream = small::StoreOneByOne(mesh);
+  stream.Folds = FoldSides::Both;
+  EXPECT_EQ(Canonical(small::Triangles(ExtractLevel(stream, stream.Order.LastStep()))),
+    Canonical({ { 1, 2, 3 }, { 1, 3, 2 } }));
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 
 using namespace carving;
@@ -56,21 +57,47 @@ TEST(SpreadLevels, KeepsTheEnds)
 }
 
 // A target picks the last step within it.
-TEST(LastStepWithin, PicksTheLastStepThatFits)
+TEST(SelectStep, PicksTheLastStepThatFits)
 {
-  EXPECT_EQ(LastStepWithin({ 4, 5, 5, 7 }, 5), 2);
-  EXPECT_EQ(LastStepWithin({ 4, 5, 5, 7 }, 6), 2);
-  EXPECT_EQ(LastStepWithin({ 4, 5, 5, 7 }, 100), 3);
+  const Profile profile = WithVertices({ 4, 5, 5, 7 });
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Vertices, 5).Step, 2);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Vertices, 6).Step, 2);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Vertices, 100).Step, 3);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Vertices, 100).Problem, "");
 }
 
 // Counts can fall again; a step counts only if all before it fit too.
-TEST(LastStepWithin, StopsBeforeTheFirstStepThatDoesNotFit)
+TEST(SelectStep, StopsBeforeTheFirstStepThatDoesNotFit)
 {
-  EXPECT_EQ(LastStepWithin({ 4, 9, 5, 5 }, 6), 0);
+  EXPECT_EQ(SelectStep(WithVertices({ 4, 9, 5, 5 }), LevelTarget::Vertices, 6).Step, 0);
 }
 
-// A target below the initial approximation cannot be met.
-TEST(LastStepWithin, IsMinusOneBelowTheInitialApproximation)
+// Below the initial approximation a target cannot be met: that is given, and it is said.
+TEST(SelectStep, GivesTheInitialApproximationAndAProblemBelowIt)
 {
-  EXPECT_EQ(LastStepWithin({ 4, 5 }, 3), -1);
+  const SelectedStep selected = SelectStep(WithVertices({ 4, 5 }), LevelTarget::Vertices, 3);
+  EXPECT_EQ(selected.Step, 0);
+  EXPECT_NE(selected.Problem, "");
+}
+
+// A feature size picks the approximation before the first pop of at most that length.
+TEST(SelectStep, StopsBeforeTheFirstPriorityOfAFeatureSize)
+{
+  Profile profile = WithVertices({ 4, 5, 6, 7, 8 });
+  SetPriorities<3>(profile, { NAN, 8.0, 3.0, 5.0, 1.0 }, PriorityMeasure::LongestEdge);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::FeatureSize, 9.0).Step, 0);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::FeatureSize, 8.0).Step, 0);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::FeatureSize, 4.0).Step, 1);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::FeatureSize, 2.0).Step, 3);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::FeatureSize, 0.5).Step, 4);
+}
+
+// A step is taken as it is; one that there is not gives the nearest and a problem.
+TEST(SelectStep, TakesAStepOrTheNearest)
+{
+  const Profile profile = WithVertices({ 4, 5, 6 });
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Step, 1).Step, 1);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Step, 1).Problem, "");
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Step, 9).Step, 2);
+  EXPECT_NE(SelectStep(profile, LevelTarget::Step, 9).Problem, "");
 }

@@ -60,7 +60,7 @@ TEST(Priority, ScalesAsALength)
   for (const auto measure : { PriorityMeasure::LongestEdge, PriorityMeasure::Volume,
          PriorityMeasure::Circumradius, PriorityMeasure::EdgeVolume })
   {
-    EXPECT_NEAR(PriorityAsLength(Measure(doubled, measure), measure),
-      2.0 * PriorityAsLength(Measure(Corner, measure), measure), 1e-12);
+    EXPECT_NEAR(PriorityAsLength<3>(Measure(doubled, measure), measure),
+      2.0 * PriorityAsLength<3>(Measure(Corner, measure), measure), 1e-12);
   }
 }

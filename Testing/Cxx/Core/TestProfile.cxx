@@ -14,7 +14,7 @@ using namespace carving;
 TEST(Profile, OfARowIsKnown)
 {
   const Tetrahedralization mesh = small::Row(5);
-  const Profile profile = ComputeProfile(mesh, small::CarveOneByOne(mesh));
+  const Profile profile = ComputeProfile(small::StoreOneByOne(mesh));
   EXPECT_EQ(profile.Triangles, (std::vector<int>{ 12, 10, 8, 6, 4, 1 }));
   EXPECT_EQ(profile.Vertices, (std::vector<int>{ 8, 7, 6, 5, 4, 3 }));
   EXPECT_EQ(profile.LastStep(), 5);
@@ -28,18 +28,18 @@ TEST(Profile, AgreesWithEveryLevel)
     { inner, small::Joined(small::OuterFaces(), small::Flipped(inner)), small::OuterFaces() })
   {
     const Tetrahedralization mesh = small::NestedTetrahedra(triangles);
-    const Stream stream = small::CarveOneByOne(mesh);
-    const Profile profile = ComputeProfile(mesh, stream);
-    ASSERT_EQ(profile.LastStep(), stream.LastStep());
-    for (int step = 0; step <= stream.LastStep(); ++step)
+    const StoredStream<3> stream = small::StoreOneByOne(mesh);
+    const Profile profile = ComputeProfile(stream);
+    ASSERT_EQ(profile.LastStep(), stream.Order.LastStep());
+    for (int step = 0; step <= stream.Order.LastStep(); ++step)
     {
-      const Level level = ExtractLevel(mesh, stream, step);
+      const std::vector<Triangle> level = small::Triangles(ExtractLevel(stream, step));
       std::set<int> vertices;
-      for (const Triangle& t : level.Triangles)
+      for (const Triangle& t : level)
       {
         vertices.insert(t.begin(), t.end());
       }
-      EXPECT_EQ(profile.Triangles[step], static_cast<int>(level.Triangles.size()));
+      EXPECT_EQ(profile.Triangles[step], static_cast<int>(level.size()));
       EXPECT_EQ(profile.Vertices[step], static_cast<int>(vertices.size()));
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Models.h"
+#include "Shapes.h"
 #include "Winding.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ ResolvedMesh Resolved(const TriangleMesh& mesh)
 {
   ResolvedMesh result;
   result.Points = mesh.Points;
-  result.Triangles = mesh.Triangles;
+  result.Facets = mesh.Triangles;
   result.Windings.assign(mesh.Triangles.size(), 1);
   return result;
 }
@@ -47,7 +47,7 @@ TEST(WindingNumber, AddsUpOverlappingSolids)
 TEST(WindingNumber, OfOneSideOfACubeIsASixth)
 {
   ResolvedMesh mesh = Resolved(models::Box({ -1, -1, -1 }, { 1, 1, 1 }));
-  mesh.Triangles.resize(2);
+  mesh.Facets.resize(2);
   EXPECT_NEAR(WindingNumber(mesh, { 0, 0, 0 }), 1.0 / 6.0, 1e-12);
 }
 
@@ -55,9 +55,9 @@ TEST(WindingNumber, OfOneSideOfACubeIsASixth)
 TEST(WindingNumber, UsesTheSignedNumberOfCopies)
 {
   ResolvedMesh mesh = Resolved(models::Sphere(1));
-  mesh.Windings.assign(mesh.Triangles.size(), 3);
+  mesh.Windings.assign(mesh.Facets.size(), 3);
   EXPECT_NEAR(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 3.0, 1e-12);
-  mesh.Windings.assign(mesh.Triangles.size(), 0);
+  mesh.Windings.assign(mesh.Facets.size(), 0);
   EXPECT_EQ(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 0.0);
 }
 
@@ -71,10 +71,10 @@ TEST(IsClosed, HoldsForATorus)
 TEST(IsClosed, FailsForAHoleOrAFlippedTriangle)
 {
   ResolvedMesh hole = Resolved(models::Sphere(1));
-  hole.Triangles.pop_back();
+  hole.Facets.pop_back();
   EXPECT_FALSE(IsClosed(hole));
   ResolvedMesh flipped = Resolved(models::Sphere(1));
-  std::swap(flipped.Triangles[7][0], flipped.Triangles[7][1]);
+  std::swap(flipped.Facets[7][0], flipped.Facets[7][1]);
   EXPECT_FALSE(IsClosed(flipped));
 }
 
@@ -83,6 +83,6 @@ TEST(IsClosed, HoldsForATwoSidedSheet)
 {
   ResolvedMesh sheet = Resolved(models::Sheet(2));
   EXPECT_FALSE(IsClosed(sheet));
-  sheet.Windings.assign(sheet.Triangles.size(), 0);
+  sheet.Windings.assign(sheet.Facets.size(), 0);
   EXPECT_TRUE(IsClosed(sheet));
 }

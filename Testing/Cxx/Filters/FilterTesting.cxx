@@ -62,12 +62,12 @@ vtkSmartPointer<vtkPolyData> TwoBoxes()
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 })));
 }
 
-vtkPolyData* GetLevel(vtkTopologyCarver* carver, int level)
+vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level)
 {
   return vtkPolyData::SafeDownCast(carver->GetOutput()->GetBlock(static_cast<unsigned int>(level)));
 }
 
-int GetLevelStep(vtkTopologyCarver* carver, int level)
+int GetLevelStep(vtkCarverAlgorithm* carver, int level)
 {
   return static_cast<int>(GetLevel(carver, level)->GetFieldData()->GetArray("Step")->GetTuple1(0));
 }

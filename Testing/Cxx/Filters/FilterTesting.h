@@ -6,7 +6,7 @@
 #ifndef FilterTesting_h
 #define FilterTesting_h
 
-#include "Models.h"
+#include "Shapes.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -22,8 +22,8 @@ vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name);
 /** Two boxes with a gap between them: the simplest mesh with something to carve. */
 vtkSmartPointer<vtkPolyData> TwoBoxes();
 
-vtkPolyData* GetLevel(vtkTopologyCarver* carver, int level);
-int GetLevelStep(vtkTopologyCarver* carver, int level);
+vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level);
+int GetLevelStep(vtkCarverAlgorithm* carver, int level);
 
 /** Collects the errors and warnings of a filter, which are then not printed. */
 class Messages

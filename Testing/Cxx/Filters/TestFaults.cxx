@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
+#include "RandomModels.h"
 
 #include "vtkCommand.h"
 #include "vtkMultiBlockDataSet.h"

@@ -264,7 +264,7 @@ TEST(TopologyCarver, SavesTrianglesWithExposedTetrahedra)
   {
     carver->SetCarveExposed(exposed);
     carver->Update();
-    EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPoints(), 1000);
+    EXPECT_EQ(GetLevel(carver, 0)->GetFieldData()->GetArray("Vertices")->GetTuple1(0), 1000);
     triangles[exposed] = GetLevel(carver, 0)->GetNumberOfPolys();
   }
   EXPECT_LT(triangles[true], triangles[false]);
@@ -346,10 +346,11 @@ TEST(TopologyCarver, PrintsItself)
   carver->AddLevelTarget(123);
   std::ostringstream text;
   carver->Print(text);
-  for (const char* expected : { "InitialApproximation: CONVEX_HULL",
-         "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0", "DepthMeasure: HIERARCHY",
-         "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On", "SolidRule: NONZERO_WINDING",
-         "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
+  for (const char* expected :
+    { "InitialApproximation: CONVEX_HULL", "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0",
+      "DepthMeasure: HIERARCHY", "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On",
+      "SolidRule: NONZERO_WINDING", "KeepBothFoldSides: Off", "ManifoldOutput: On",
+      "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
   {
     EXPECT_NE(text.str().find(expected), std::string::npos) << expected;
   }

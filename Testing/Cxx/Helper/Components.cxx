@@ -34,7 +34,7 @@ std::vector<int> CountComponents(const Tetrahedralization& mesh, const Stream& s
       }
     }
   };
-  for (const Triangle& t : mesh.Surface.Triangles)
+  for (const Triangle& t : mesh.Surface.Facets)
   {
     add(t);
   }

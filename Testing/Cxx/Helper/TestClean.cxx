@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Clean.h"
-#include "Models.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace carving;
 
@@ -14,7 +16,7 @@ TEST(Clean, MergesEqualPoints)
       { { 0, 1, 2 }, { 4, 3, 5 } } }));
   EXPECT_EQ(mesh.Points.size(), 4u);
   EXPECT_EQ(mesh.PointSources, (std::vector<int>{ 0, 1, 2, 5 }));
-  EXPECT_EQ(mesh.Triangles, (std::vector<Triangle>{ { 0, 1, 2 }, { 2, 1, 3 } }));
+  EXPECT_EQ(mesh.Facets, (std::vector<Triangle>{ { 0, 1, 2 }, { 2, 1, 3 } }));
 }
 
 // Zero and minus zero are the same coordinate.
@@ -40,7 +42,7 @@ TEST(Clean, DropsTrianglesWithoutArea)
   const ResolvedMesh mesh =
     Clean(AsResolved({ { { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 }, { 0, 1, 0 } },
       { { 0, 1, 2 }, { 0, 1, 1 }, { 0, 1, 3 } } }));
-  EXPECT_EQ(mesh.TriangleSources, std::vector<int>{ 2 });
+  EXPECT_EQ(mesh.FacetSources, std::vector<int>{ 2 });
 }
 
 // The smallest deviation from a line that a double can hold is an area.
@@ -48,7 +50,7 @@ TEST(Clean, KeepsTheThinnestTriangle)
 {
   const double above = std::nextafter(0.5, 1.0);
   EXPECT_EQ(Clean(AsResolved({ { { 0, 0, 0 }, { 1, 1, 0 }, { 0.5, above, 0 } }, { { 0, 1, 2 } } }))
-              .Triangles.size(),
+              .Facets.size(),
     1u);
 }
 
@@ -57,10 +59,10 @@ TEST(Clean, MergesEqualTriangles)
 {
   const ResolvedMesh mesh = Clean(AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
     { { 0, 1, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 } } }));
-  EXPECT_EQ(mesh.Triangles, (std::vector<Triangle>{ { 0, 1, 2 } }));
+  EXPECT_EQ(mesh.Facets, (std::vector<Triangle>{ { 0, 1, 2 } }));
   EXPECT_EQ(mesh.Windings, std::vector<int>{ 2 });
   EXPECT_EQ(mesh.Counts, std::vector<int>{ 4 });
-  EXPECT_EQ(mesh.TriangleSources, std::vector<int>{ 0 });
+  EXPECT_EQ(mesh.FacetSources, std::vector<int>{ 0 });
 }
 
 // The side that two glued boxes share has no winding left, but is still there.
@@ -68,7 +70,7 @@ TEST(Clean, KeepsTheSideBetweenGluedBoxes)
 {
   const ResolvedMesh mesh = Clean(AsResolved(models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }),
     models::Flipped(models::Box({ 0, 0, 0 }, { 1, 1, 1 })))));
-  EXPECT_EQ(mesh.Triangles.size(), 12u);
+  EXPECT_EQ(mesh.Facets.size(), 12u);
   EXPECT_EQ(mesh.Windings, std::vector<int>(12, 0));
   EXPECT_EQ(mesh.Counts, std::vector<int>(12, 2));
 }
@@ -79,5 +81,5 @@ TEST(Clean, LeavesACleanMeshAlone)
   const ResolvedMesh once = Clean(AsResolved(models::Torus(1.0, 0.4, 9, 6)));
   const ResolvedMesh twice = Clean(once);
   EXPECT_EQ(once.Points, models::Torus(1.0, 0.4, 9, 6).Points);
-  EXPECT_EQ(once.Triangles, twice.Triangles);
+  EXPECT_EQ(once.Facets, twice.Facets);
 }

@@ -5,8 +5,8 @@
  */
 #include "Carver.h"
 #include "Components.h"
+#include "Figures.h"
 #include "HelperRun.h"
-#include "Models.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ std::vector<int> EulerCharacteristics(const Tetrahedralization& mesh, const Stre
       last = std::max(last, death);
     }
   };
-  for (const Triangle& t : mesh.Surface.Triangles)
+  for (const Triangle& t : mesh.Surface.Facets)
   {
     addWithFaces({ t.begin(), t.end() }, Stream::Never);
   }
@@ -85,18 +85,6 @@ Topology CountTopology(const TriangleMesh& given, double depthExponent)
   return topology;
 }
 
-/** Figure 10: spheres of 642 points at the corners of a unit cube. */
-TriangleMesh EightSpheres()
-{
-  TriangleMesh all;
-  for (int i = 0; i < 8; ++i)
-  {
-    const Point center = { double(i & 1), double(i >> 1 & 1), double(i >> 2 & 1) };
-    all = models::Joined(all, models::Moved(models::Sphere(3), center, 0.3));
-  }
-  return all;
-}
-
 /** The share of steps with one component and so many tunnels. */
 double ShareOfSteps(const Topology& topology, int tunnels)
 {
@@ -113,8 +101,7 @@ double ShareOfSteps(const Topology& topology, int tunnels)
 // Figure 4: two spheres are one component until they split, and two from then on; no tunnel opens.
 TEST(Figures, TwoSpheresSplit)
 {
-  const Topology topology = CountTopology(
-    models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 2.5, 0.1, 0.2 })), 0.0);
+  const Topology topology = CountTopology(models::TwoSpheres(), 0.0);
   EXPECT_EQ(topology.Components.front(), 1);
   EXPECT_EQ(topology.Components.back(), 2);
   EXPECT_TRUE(std::is_sorted(topology.Components.begin(), topology.Components.end()));
@@ -126,11 +113,11 @@ TEST(Figures, TwoSpheresSplit)
 // a cube, with 8 corners and 12 edges, has 12 - 8 + 1 = 5 tunnels.
 TEST(Figures, EightSpheresBecomeAFrameWithoutDepth)
 {
-  EXPECT_GT(ShareOfSteps(CountTopology(EightSpheres(), 0.0), 5), 0.5);
+  EXPECT_GT(ShareOfSteps(CountTopology(models::EightSpheres(), 0.0), 5), 0.5);
 }
 
 // Figure 10 (c): with dp = 2 carving advances evenly, and nearly no tunnel opens before the spheres split.
 TEST(Figures, EightSpheresStayWholeWithDepth)
 {
-  EXPECT_GT(ShareOfSteps(CountTopology(EightSpheres(), 2.0), 0), 0.85);
+  EXPECT_GT(ShareOfSteps(CountTopology(models::EightSpheres(), 2.0), 0), 0.85);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelperRun.h"
-#include "Models.h"
+#include "Shapes.h"
 #include "Vector.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Helper, FillsTheHull)
   const HelperRun run = RunHelper(boxes);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
   EXPECT_NEAR(SixVolume(run.Reply.Result), 6.0 * 3.0, 1e-12);
-  std::vector<int> faces(run.Reply.Result.Surface.Triangles.size(), 0);
+  std::vector<int> faces(run.Reply.Result.Surface.Facets.size(), 0);
   for (const auto& constraints : run.Reply.Result.Constraints)
   {
     for (const int triangle : constraints)

@@ -10,9 +10,11 @@
 #include "HelperRun.h"
 #include "Level.h"
 #include "LevelSelection.h"
-#include "Models.h"
+#include "ManifoldCheck.h"
 #include "OffReader.h"
 #include "Profile.h"
+#include "RandomModels.h"
+#include "Shapes.h"
 #include "Vector.h"
 #include "Winding.h"
 
@@ -34,38 +36,50 @@ struct Carved
   Tetrahedralization Mesh;
   Classification Regions;
   carving::Stream Stream;
+  StoredStream<3> Stored;
   carving::Profile Profile;
 };
 
 Carved CarveResult(const Tetrahedralization& mesh, const CarveOptions& options = {},
   SolidRule rule = SolidRule::NonzeroWinding)
 {
-  Carved carved = { mesh, Classify(mesh, rule), {}, {} };
+  Carved carved = { mesh, Classify(mesh, rule), {}, {}, {} };
   Carve(carved.Mesh, carved.Regions, options, carved.Stream);
-  carved.Profile = ComputeProfile(carved.Mesh, carved.Stream);
+  carved.Stored = Store(carved.Mesh, carved.Regions, carved.Stream);
+  carved.Profile = ComputeProfile(carved.Stored);
   return carved;
 }
 
 /** The part of a level that bounds a volume: all but the folds. */
-std::vector<Triangle> Shell(const Level& level)
+std::vector<Triangle> Shell(const Level<3>& level)
 {
   std::vector<Triangle> shell;
-  for (std::size_t i = 0; i < level.Triangles.size(); ++i)
+  for (const FaceLife<3>& face : level.Faces)
   {
-    if (level.CellsBehind[i] >= 0)
+    if (!face.Fold)
     {
-      shell.push_back(level.Triangles[i]);
+      shell.push_back(face.Corners);
     }
   }
   return shell;
 }
 
-std::vector<char> UsedPoints(const Carved& carved, const Level& level)
+std::vector<Triangle> AllTriangles(const Level<3>& level)
+{
+  std::vector<Triangle> triangles;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    triangles.push_back(face.Corners);
+  }
+  return triangles;
+}
+
+std::vector<char> UsedPoints(const Carved& carved, const Level<3>& level)
 {
   std::vector<char> used(carved.Mesh.Surface.Points.size(), 0);
-  for (const Triangle& t : level.Triangles)
+  for (const FaceLife<3>& face : level.Faces)
   {
-    for (const int corner : t)
+    for (const int corner : face.Corners)
     {
       used[corner] = 1;
     }
@@ -74,12 +88,12 @@ std::vector<char> UsedPoints(const Carved& carved, const Level& level)
 }
 
 /** Property 1, for one level: no input vertex is outside. */
-void ExpectToEnclose(const Carved& carved, const Level& level, int samples)
+void ExpectToEnclose(const Carved& carved, const Level<3>& level, int samples)
 {
   ResolvedMesh shell;
   shell.Points = carved.Mesh.Surface.Points;
-  shell.Triangles = Shell(level);
-  shell.Windings.assign(shell.Triangles.size(), 1);
+  shell.Facets = Shell(level);
+  shell.Windings.assign(shell.Facets.size(), 1);
   EXPECT_TRUE(IsClosed(shell));
   const std::vector<char> used = UsedPoints(carved, level);
   std::vector<int> hidden;
@@ -93,13 +107,13 @@ void ExpectToEnclose(const Carved& carved, const Level& level, int samples)
   const std::size_t stride = std::max<std::size_t>(1, hidden.size() / samples);
   for (std::size_t i = 0; i < hidden.size(); i += stride)
   {
-    EXPECT_TRUE(checks::Encloses(shell.Points, shell.Triangles, shell.Points[hidden[i]]));
+    EXPECT_TRUE(checks::Encloses(shell.Points, shell.Facets, shell.Points[hidden[i]]));
   }
 }
 
 /** Property 1, between two levels: no line that misses the coarser one hits the finer one. */
-void ExpectSilhouetteToShrink(
-  const Carved& carved, const Level& coarse, const Level& fine, int lines, std::mt19937_64& random)
+void ExpectSilhouetteToShrink(const Carved& carved, const Level<3>& coarse, const Level<3>& fine,
+  int lines, std::mt19937_64& random)
 {
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
   std::normal_distribution<double> normal;
@@ -107,29 +121,30 @@ void ExpectSilhouetteToShrink(
   {
     const Point direction = { normal(random), normal(random), normal(random) };
     // Through a point near the finer level, so that lines graze it.
-    const Triangle& t = fine.Triangles[random() % fine.Triangles.size()];
+    const Triangle& t = fine.Faces[random() % fine.Faces.size()].Corners;
     Point through = points[t[0]];
     for (double& x : through)
     {
       x *= 1.0 + 0.05 * normal(random);
     }
-    if (checks::LineHits(points, fine.Triangles, through, direction))
+    if (checks::LineHits(points, AllTriangles(fine), through, direction))
     {
-      EXPECT_TRUE(checks::LineHits(points, coarse.Triangles, through, direction));
+      EXPECT_TRUE(checks::LineHits(points, AllTriangles(coarse), through, direction));
     }
   }
 }
 
 /** The first level is the convex hull of all points, those of a box included. */
-void ExpectHull(const Carved& carved, const Level& level)
+void ExpectHull(const Carved& carved, const Level<3>& level)
 {
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
   const checks::Hull hull = checks::ConvexHull(points);
-  EXPECT_NEAR(checks::SixVolume(points, level.Triangles), hull.SixVolume, 1e-9 * hull.SixVolume);
+  EXPECT_NEAR(
+    checks::SixVolume(points, AllTriangles(level)), hull.SixVolume, 1e-9 * hull.SixVolume);
   std::set<Point> vertices;
-  for (const Triangle& t : level.Triangles)
+  for (const FaceLife<3>& face : level.Faces)
   {
-    for (const int corner : t)
+    for (const int corner : face.Corners)
     {
       vertices.insert(points[corner]);
     }
@@ -139,9 +154,9 @@ void ExpectHull(const Carved& carved, const Level& level)
 }
 
 /** The last level is every triangle of M that has not solid on both sides, once, and no other. */
-void ExpectInput(const Carved& carved, const Level& level)
+void ExpectInput(const Carved& carved, const Level<3>& level)
 {
-  const std::vector<Triangle>& triangles = carved.Mesh.Surface.Triangles;
+  const std::vector<Triangle>& triangles = carved.Mesh.Surface.Facets;
   std::vector<char> hidden(triangles.size(), 1);
   for (std::size_t cell = 0; cell < carved.Mesh.Cells.size(); ++cell)
   {
@@ -164,7 +179,11 @@ void ExpectInput(const Carved& carved, const Level& level)
       expected.push_back(static_cast<int>(i));
     }
   }
-  std::vector<int> found = level.Constraints;
+  std::vector<int> found;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    found.push_back(face.Constraint);
+  }
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, expected);
 }
@@ -174,15 +193,15 @@ void ExpectInput(const Carved& carved, const Level& level)
  * points.
  */
 void ExpectSolidByWinding(
-  const TriangleMesh& given, const Carved& carved, const Level& last, std::mt19937_64& random)
+  const TriangleMesh& given, const Carved& carved, const Level<3>& last, std::mt19937_64& random)
 {
   ResolvedMesh all, shell;
   all.Points = given.Points;
-  all.Triangles = given.Triangles;
+  all.Facets = given.Triangles;
   all.Windings.assign(given.Triangles.size(), 1);
   shell.Points = carved.Mesh.Surface.Points;
-  shell.Triangles = Shell(last);
-  shell.Windings.assign(shell.Triangles.size(), 1);
+  shell.Facets = Shell(last);
+  shell.Windings.assign(shell.Facets.size(), 1);
   std::uniform_real_distribution<double> coordinate(-1.0, 3.0);
   for (int i = 0; i < 100; ++i)
   {
@@ -192,7 +211,19 @@ void ExpectSolidByWinding(
   }
 }
 
-/** Properties 1 to 3 and 5, on some steps of the stream. */
+/** Property 4, with one or both sides of folds. */
+void ExpectManifold(const Carved& carved, int step)
+{
+  StoredStream<3> stream = carved.Stored;
+  for (const FoldSides folds : { FoldSides::One, FoldSides::Both })
+  {
+    stream.Folds = folds;
+    const Level<3> level = ExtractLevel(stream, step);
+    EXPECT_EQ(checks::FindFaults(level, CutIntoManifold(stream, level)), checks::ManifoldFaults());
+  }
+}
+
+/** Properties 1 to 5, on some steps of the stream. */
 void ExpectProperties(
   const TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples)
 {
@@ -203,12 +234,13 @@ void ExpectProperties(
   const std::vector<int> componentsOfSteps = CountComponents(carved.Mesh, carved.Stream);
   double volume = HUGE_VAL, hullVolume = 0.0;
   int components = 0, inputVertices = 0;
-  Level coarser;
+  Level<3> coarser;
   for (const int step : steps)
   {
-    const Level level = ExtractLevel(carved.Mesh, carved.Stream, step);
+    const Level<3> level = ExtractLevel(carved.Stored, step);
     ExpectToEnclose(carved, level, samples);
-    EXPECT_EQ(checks::CountCrossings(points, level.Triangles), 0);
+    ExpectManifold(carved, step);
+    EXPECT_EQ(checks::CountCrossings(points, AllTriangles(level)), 0);
 
     const double newVolume = checks::SixVolume(points, Shell(level));
     // Of a sum over the surface, the rounding error is that of the whole.
@@ -233,7 +265,7 @@ void ExpectProperties(
     EXPECT_GE(newInputVertices, inputVertices);
     inputVertices = newInputVertices;
     EXPECT_EQ(carved.Profile.Vertices[step], allVertices);
-    EXPECT_EQ(carved.Profile.Triangles[step], static_cast<int>(level.Triangles.size()));
+    EXPECT_EQ(carved.Profile.Triangles[step], static_cast<int>(level.Faces.size()));
 
     if (step == 0)
     {
@@ -278,8 +310,8 @@ struct RandomOptions
 bool Equal(const Reply& a, const Reply& b)
 {
   return a.Result.Surface.Points == b.Result.Surface.Points &&
-    a.Result.Surface.Triangles == b.Result.Surface.Triangles &&
-    a.Result.Surface.TriangleSources == b.Result.Surface.TriangleSources &&
+    a.Result.Surface.Facets == b.Result.Surface.Facets &&
+    a.Result.Surface.FacetSources == b.Result.Surface.FacetSources &&
     a.Result.Surface.Windings == b.Result.Surface.Windings && a.Result.Cells == b.Result.Cells &&
     a.Result.Neighbors == b.Result.Neighbors && a.Result.Constraints == b.Result.Constraints;
 }
@@ -290,7 +322,7 @@ class RealMesh : public testing::TestWithParam<const char*>
 
 } // namespace
 
-// Enclosure, monotony, the ends of the stream, exact vertices and freedom from crossings hold on random
+// Enclosure, monotony, the ends of the stream, exact vertices, manifolds and freedom from crossings hold on random
 // meshes (closed solids, open sheets, many components, overlapping ones) with random properties.
 TEST(Properties, HoldOnRandomMeshes)
 {
@@ -318,8 +350,8 @@ TEST(Properties, HoldOnRandomMeshes)
     ExpectProperties(model.Mesh, carved, 6, 20);
     if (model.Closed && options.Rule == SolidRule::NonzeroWinding)
     {
-      ExpectSolidByWinding(model.Mesh, carved,
-        ExtractLevel(carved.Mesh, carved.Stream, carved.Stream.LastStep()), random);
+      ExpectSolidByWinding(
+        model.Mesh, carved, ExtractLevel(carved.Stored, carved.Stream.LastStep()), random);
     }
   }
 }
@@ -348,7 +380,7 @@ TEST(Properties, LeaveConvexMeshesAsTheyAre)
     ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
     const Carved carved = CarveResult(run.Reply.Result);
     EXPECT_EQ(carved.Stream.LastStep(), 0);
-    EXPECT_EQ(ExtractLevel(carved.Mesh, carved.Stream, 0).Triangles.size(), mesh.Triangles.size());
+    EXPECT_EQ(ExtractLevel(carved.Stored, 0).Faces.size(), mesh.Triangles.size());
   }
 }
 

@@ -2,8 +2,8 @@
 #include "Checks.h"
 #include "Clean.h"
 #include "Intersections.h"
-#include "Models.h"
 #include "Resolve.h"
+#include "Shapes.h"
 #include "Vector.h"
 #include "Winding.h"
 
@@ -19,7 +19,7 @@ ResolvedMesh Resolved(const TriangleMesh& given)
   ResolvedMesh mesh = Clean(AsResolved(given));
   int pairs = 0;
   EXPECT_EQ(Resolve(mesh, pairs, {}), "");
-  EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Triangles), 0);
+  EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Facets), 0);
   return mesh;
 }
 
@@ -92,7 +92,7 @@ TEST(Resolve, LeavesACleanMeshAlone)
   const TriangleMesh given = models::Torus(1.0, 0.4, 9, 6);
   const ResolvedMesh mesh = Resolved(given);
   EXPECT_EQ(mesh.Points, given.Points);
-  EXPECT_EQ(mesh.Triangles, given.Triangles);
+  EXPECT_EQ(mesh.Facets, given.Triangles);
 }
 
 // Two squares that cross in the middle get a common edge there, and lose no area.
@@ -105,7 +105,7 @@ TEST(Resolve, SplitsCrossingSquares)
     p = { p[0], 0.5, p[1] - 0.5 };
   }
   const ResolvedMesh mesh = Resolved(models::Joined(flat, upright));
-  EXPECT_NEAR(Area(mesh.Points, mesh.Triangles), 2.0, 1e-12);
+  EXPECT_NEAR(Area(mesh.Points, mesh.Facets), 2.0, 1e-12);
   EXPECT_EQ(std::count(mesh.PointSources.begin(), mesh.PointSources.end(), -1),
     static_cast<long>(mesh.Points.size()) - 8);
 }
@@ -128,12 +128,12 @@ TEST(Resolve, MergesCoplanarOverlaps)
   const ResolvedMesh mesh = Resolved(
     models::Joined(models::Box({ 0, 0, 0 }, { 2, 2, 2 }), models::Box({ 1, 1, 2 }, { 3, 3, 4 })));
   double doubled = 0.0;
-  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
   {
     if (mesh.Counts[i] == 2)
     {
       EXPECT_EQ(mesh.Windings[i], 0); // the boxes face each other
-      doubled += Area(mesh.Points, { mesh.Triangles[i] });
+      doubled += Area(mesh.Points, { mesh.Facets[i] });
     }
   }
   EXPECT_NEAR(doubled, 1.0, 1e-12);
@@ -146,7 +146,7 @@ TEST(Resolve, SplitsEdgesAtTJunctions)
   const ResolvedMesh mesh = Resolved(
     { { { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 1, 0, 0 }, { 0.5, -1, 0 }, { 1.5, -1, 0 } },
       { { 0, 1, 2 }, { 3, 4, 5 } } });
-  EXPECT_EQ(mesh.Triangles.size(), 3u);
+  EXPECT_EQ(mesh.Facets.size(), 3u);
   EXPECT_EQ(mesh.Points.size(), 6u);
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Named arrays in one line.
+ */
+#ifndef ArrayTools_h
+#define ArrayTools_h
+
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <algorithm>
+
+template <class ArrayType>
+vtkNew<ArrayType> MakeArray(const char* name, vtkIdType size, int components = 1)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+template <class ArrayType, class Value>
+void AddFieldValue(vtkFieldData* fieldData, const char* name, const Value& value)
+{
+  vtkNew<ArrayType> array = MakeArray<ArrayType>(name, 1);
+  array->SetValue(0, value);
+  fieldData->AddArray(array);
+}
+
+template <class ArrayType, class Values>
+void AddFieldArray(vtkFieldData* fieldData, const char* name, const Values& values)
+{
+  vtkNew<ArrayType> array = MakeArray<ArrayType>(name, static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  fieldData->AddArray(array);
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Cuts a level into oriented manifolds (section 3.3 and its reference 27, Gueziec et al., "Cutting and
+ * Stitching: Converting Sets of Polygons to Manifold Surfaces").
+ */
+#ifndef carving_Manifold_h
+#define carving_Manifold_h
+
+#include "Level.h"
+#include "StoredStream.h"
+
+#include <vector>
+
+namespace carving
+{
+
+/** The faces of a level in the same order, with vertices of their own where the surface is cut. */
+template <int D>
+struct ManifoldLevel
+{
+  std::vector<std::array<int, D>> Faces;
+  /** Per vertex: the point of the stream that it is (a copy of); ascending. */
+  std::vector<int> Points;
+};
+
+/**
+ * Cuts along ridges (edges; in the plane, vertices) with more than two faces and at vertices whose
+ * faces are not one fan.
+ *
+ * Where the surface has several sheets at a ridge, two faces stay joined if the solid lies between them:
+ * a turn through it, from cell to cell around the ridge, leads from one to the other. What is left of
+ * the surface is closed wherever it bounds a solid. Folds are joined with each other only, two at a
+ * ridge that has no other, if they are oriented alike. With both sides of folds on the level, faces at a
+ * ridge of a fold are joined where the exterior lies between them.
+ *
+ * Two sheets that meet again at both ends of an edge (a tunnel that is about to open between two wedges
+ * of the solid) cannot both keep the edge without a vertex of their own. There, faces are joined across
+ * the exterior instead, as if the wedges were glued along the edge; a fold is cut off.
+ */
+template <int D>
+ManifoldLevel<D> CutIntoManifold(const StoredStream<D>& stream, const Level<D>& level);
+
+/** The level as it is: one vertex per point. */
+template <int D>
+ManifoldLevel<D> KeepUncut(const Level<D>& level);
+
+} // namespace carving
+
+#endif

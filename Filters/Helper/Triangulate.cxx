@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Triangulate.h"
+
+#include "Adjacency.h"
+#include "Vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+using namespace carving;
+
+namespace
+{
+
+const std::string Prefix = "The initial approximation on port 1 ";
+
+Point Flat(const Point& p)
+{
+  return { p[0], p[1], 0.0 };
+}
+
+/** The third coordinate as a linear function of the others, by three points far from each other. */
+class Height
+{
+public:
+  explicit Height(const std::vector<Point>& points)
+    : Origin(points.front())
+  {
+    const Point along = this->FarthestBy(points, [](const Point& d) { return Dot(d, d); });
+    const Point across =
+      this->FarthestBy(points, [&](const Point& d) { return std::abs(Cross(along, d)[2]); });
+    const double area = Cross(along, across)[2];
+    const double squared = along[0] * along[0] + along[1] * along[1];
+    if (area != 0.0)
+    {
+      this->Slope = { (along[2] * across[1] - across[2] * along[1]) / area,
+        (across[2] * along[0] - along[2] * across[0]) / area };
+    }
+    else if (squared > 0.0) // on a line: level across it
+    {
+      this->Slope = { along[2] * along[0] / squared, along[2] * along[1] / squared };
+    }
+  }
+
+  double At(double x, double y) const
+  {
+    return this->Origin[2] + this->Slope[0] * (x - this->Origin[0]) +
+      this->Slope[1] * (y - this->Origin[1]);
+  }
+
+private:
+  /** From the origin to the point for which a measure of that vector is the greatest. */
+  template <class Measure>
+  Point FarthestBy(const std::vector<Point>& points, const Measure& measure) const
+  {
+    return *std::max_element(points.begin(), points.end(),
+             [&](const Point& a, const Point& b)
+             { return measure(Flat(a - this->Origin)) < measure(Flat(b - this->Origin)); }) -
+      this->Origin;
+  }
+
+  Point Origin;
+  std::array<double, 2> Slope = { 0.0, 0.0 };
+};
+
+/** The corners of the rectangle around the points, grown by BoxMargin of its diagonal. */
+std::vector<Point> GrownRectangle(const std::vector<Point>& points)
+{
+  Point lower, upper;
+  GetBounds(points, lower, upper);
+  const double margin = BoxMargin * Length(Flat(upper - lower));
+  const Height height(points);
+  std::vector<Point> corners;
+  for (const double x : { lower[0] - margin, upper[0] + margin })
+  {
+    for (const double y : { lower[1] - margin, upper[1] + margin })
+    {
+      corners.push_back({ x, y, height.At(x, y) });
+    }
+  }
+  return corners;
+}
+
+std::string NamePoint(const Point& p)
+{
+  char text[100];
+  std::snprintf(text, sizeof(text), "(%.6g, %.6g)", p[0], p[1]);
+  return text;
+}
+
+/** The number of connected pieces that edges make. */
+int CountPieces(const Contours& contours)
+{
+  std::vector<int> parent(contours.Points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto find = [&](int i)
+  {
+    while (parent[i] != i)
+    {
+      i = parent[i] = parent[parent[i]];
+    }
+    return i;
+  };
+  int pieces = static_cast<int>(contours.Points.size());
+  for (const auto& [from, to] : contours.Facets)
+  {
+    const int a = find(from), b = find(to);
+    parent[a] = b;
+    pieces -= a != b;
+  }
+  return pieces;
+}
+
+/** The first of the checks of one simple polygon that fails. */
+std::string CheckSimple(const Contours& given)
+{
+  Contours contours = Clean(given);
+  if (contours.Facets.empty())
+  {
+    return Prefix + "has no edge of any length.";
+  }
+  int meetings = 0;
+  const std::string error = Resolve(contours, meetings, {});
+  if (!error.empty())
+  {
+    return Prefix + "is too intricate for double precision.";
+  }
+  std::vector<int> degrees(contours.Points.size(), 0);
+  for (const auto& [from, to] : contours.Facets)
+  {
+    ++degrees[from];
+    ++degrees[to];
+  }
+  for (std::size_t i = 0; i < degrees.size(); ++i)
+  {
+    if (degrees[i] == 1)
+    {
+      return Prefix + "is not closed: it ends at " + NamePoint(contours.Points[i]) + ".";
+    }
+  }
+  const auto branch =
+    std::find_if(degrees.begin(), degrees.end(), [](int degree) { return degree > 2; });
+  if (branch != degrees.end())
+  {
+    return Prefix + "crosses or touches itself at " +
+      NamePoint(contours.Points[branch - degrees.begin()]) + ".";
+  }
+  if (meetings > 0)
+  {
+    return Prefix + "runs over itself.";
+  }
+  const int pieces = CountPieces(contours);
+  return pieces == 1 ? std::string()
+                     : Prefix + "is in " + std::to_string(pieces) + " pieces; it must be one.";
+}
+
+/** Puts the points of M before all others, and its edges before those that are of C0 only. */
+Decomposition<2> SortPoints(const Contours& contours, std::vector<char>& initial)
+{
+  Decomposition<2> result;
+  std::vector<int> newIndex(contours.Points.size(), -1);
+  std::vector<char> ofInput(contours.Points.size(), 0);
+  for (std::size_t i = 0; i < contours.Facets.size(); ++i)
+  {
+    for (const int end : contours.Facets[i])
+    {
+      ofInput[end] = ofInput[end] || contours.Counts[i] > 0;
+    }
+  }
+  ResolvedInput<2>& to = result.Surface;
+  for (const bool first : { true, false })
+  {
+    for (std::size_t i = 0; i < contours.Points.size(); ++i)
+    {
+      if (first == static_cast<bool>(ofInput[i]))
+      {
+        newIndex[i] = static_cast<int>(to.Points.size());
+        to.Points.push_back(contours.Points[i]);
+        to.PointSources.push_back(contours.PointSources[i]);
+      }
+    }
+    for (std::size_t i = 0; i < contours.Facets.size(); ++i)
+    {
+      if (first == (contours.Counts[i] > 0))
+      {
+        to.Facets.push_back(contours.Facets[i]);
+        to.FacetSources.push_back(contours.FacetSources[i]);
+        to.Windings.push_back(contours.Windings[i]);
+        to.Counts.push_back(contours.Counts[i]);
+        initial.push_back(contours.Initial[i]);
+      }
+    }
+  }
+  for (auto& [from, end] : to.Facets)
+  {
+    from = newIndex[from];
+    end = newIndex[end];
+  }
+  return result;
+}
+
+/** Fills the cells. Returns false if all points lie on one line. */
+bool MakeCells(Decomposition<2>& mesh)
+{
+  PlaneTriangulation triangulation;
+  const auto vertices = InsertPoints(mesh.Surface.Points, triangulation);
+  for (const auto& [from, to] : mesh.Surface.Facets)
+  {
+    triangulation.insert_constraint(vertices[from], vertices[to]);
+  }
+  if (triangulation.dimension() < 2)
+  {
+    return false;
+  }
+  for (const auto face : triangulation.finite_face_handles())
+  {
+    std::array<int, 3>& cell = mesh.Cells.emplace_back();
+    for (int i = 0; i < 3; ++i)
+    {
+      cell[i] = face->vertex(i)->info().Value;
+    }
+  }
+  return FindAdjacency(mesh);
+}
+
+/** Removes the cells that a path joins to the outside without crossing the boundary of C0. */
+void RemoveOutside(const std::vector<char>& initial, Decomposition<2>& mesh)
+{
+  std::vector<char> outside(mesh.Cells.size(), 0);
+  std::vector<int> stack;
+  const auto visit = [&](int from, int f, int cell)
+  {
+    const int facet = mesh.Constraints[from][f];
+    if (!outside[cell] && (facet < 0 || !initial[facet]))
+    {
+      outside[cell] = 1;
+      stack.push_back(cell);
+    }
+  };
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    for (int f = 0; f < 3; ++f)
+    {
+      if (mesh.Neighbors[cell][f] == Outside)
+      {
+        visit(cell, f, cell);
+      }
+    }
+  }
+  while (!stack.empty())
+  {
+    const int cell = stack.back();
+    stack.pop_back();
+    for (int f = 0; f < 3; ++f)
+    {
+      if (mesh.Neighbors[cell][f] >= 0)
+      {
+        visit(cell, f, mesh.Neighbors[cell][f]);
+      }
+    }
+  }
+  std::vector<std::array<int, 3>> kept;
+  for (std::size_t cell = 0; cell < outside.size(); ++cell)
+  {
+    if (!outside[cell])
+    {
+      kept.push_back(mesh.Cells[cell]);
+    }
+  }
+  mesh.Cells = std::move(kept);
+  FindAdjacency(mesh);
+}
+
+/** Drops the edges that are of C0 only and finds the first edge of M that is not within C0. */
+std::string KeepInput(const ContourSet& given, Decomposition<2>& mesh)
+{
+  ResolvedInput<2>& surface = mesh.Surface;
+  const std::size_t count =
+    std::find(surface.Counts.begin(), surface.Counts.end(), 0) - surface.Counts.begin();
+  surface.Facets.resize(count);
+  surface.FacetSources.resize(count);
+  surface.Windings.resize(count);
+  surface.Counts.resize(count);
+  FindAdjacency(mesh);
+  std::vector<char> within(count, 0);
+  for (const auto& facets : mesh.Constraints)
+  {
+    for (const int facet : facets)
+    {
+      if (facet >= 0)
+      {
+        within[facet] = 1;
+      }
+    }
+  }
+  const auto out = std::find(within.begin(), within.end(), 0);
+  if (out == within.end())
+  {
+    return {};
+  }
+  const auto& [from, to] = given.Edges[surface.FacetSources[out - within.begin()]];
+  return Prefix + "does not contain the input: the edge from point " + std::to_string(from) +
+    " to point " + std::to_string(to) + " is not within it.";
+}
+
+} // namespace
+
+std::string InsertInitialContour(const ContourSet& initial, Contours& contours)
+{
+  const Contours boundary = AsContours(initial, true);
+  const std::string error = CheckSimple(boundary);
+  if (!error.empty())
+  {
+    return error;
+  }
+  Append(boundary, contours);
+  contours = Clean(contours);
+  int meetings = 0; // where the input touches C0, which it may
+  return Resolve(contours, meetings, {});
+}
+
+std::string Triangulate(const Contours& contours, InitialApproximation initial,
+  const ContourSet& given, Decomposition<2>& result)
+{
+  if (std::all_of(contours.Counts.begin(), contours.Counts.end(), [](int n) { return n == 0; }))
+  {
+    return "No edge of the contours has a length: there is nothing to carve out.";
+  }
+  std::vector<char> ofInitial;
+  result = SortPoints(contours, ofInitial);
+  if (initial == InitialApproximation::BoundingBox)
+  {
+    for (const Point& corner : GrownRectangle(result.Surface.Points))
+    {
+      result.Surface.Points.push_back(corner);
+      result.Surface.PointSources.push_back(-1);
+    }
+  }
+  if (!MakeCells(result))
+  {
+    return "All points lie on one line, so that their convex hull has no area to carve.";
+  }
+  if (initial != InitialApproximation::Custom)
+  {
+    return {};
+  }
+  RemoveOutside(ofInitial, result);
+  return KeepInput(given, result);
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From a stored stream to a level as polygonal data; the filters' headers document its arrays.
+ */
+#ifndef LevelOutput_h
+#define LevelOutput_h
+
+#include "Profile.h"
+#include "StoredStream.h"
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+/** `grid` is the stream as FillStream wrote it: attributes come from there. */
+template <int D>
+void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
+  vtkUnstructuredGrid* grid, int step, bool manifold, vtkPolyData* output);
+
+#endif

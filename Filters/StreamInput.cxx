@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StreamInput.h"
+
+#include "StreamOutput.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr const char* Advice = " The stream of a carver (its output port 1) is needed, as it came "
+                               "out.";
+
+/** Reads a numeric array with the given number of tuples, or says what is wrong with it. */
+template <class Value>
+std::string ReadArray(
+  vtkFieldData* from, const char* name, vtkIdType count, std::vector<Value>& values)
+{
+  vtkDataArray* array = from->GetArray(name);
+  if (!array)
+  {
+    return std::string("the array \"") + name + "\" is missing.";
+  }
+  if (count >= 0 && array->GetNumberOfTuples() != count)
+  {
+    return std::string("the array \"") + name + "\" has the wrong length.";
+  }
+  const int components = array->GetNumberOfComponents();
+  values.resize(array->GetNumberOfTuples() * components);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < components; ++k)
+    {
+      values[i * components + k] = static_cast<Value>(array->GetComponent(i, k));
+    }
+  }
+  return {};
+}
+
+/** Cells of the complement come first, facets of M after them. */
+template <int D>
+bool ReadCells(vtkUnstructuredGrid* grid, carving::Decomposition<D>& mesh)
+{
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    grid->GetCellPoints(i, corners);
+    if (grid->GetCellType(i) == (D == 3 ? VTK_TETRA : VTK_TRIANGLE) && mesh.Surface.Facets.empty())
+    {
+      std::copy(corners->begin(), corners->end(), mesh.Cells.emplace_back().begin());
+    }
+    else if (grid->GetCellType(i) == (D == 3 ? VTK_TRIANGLE : VTK_LINE))
+    {
+      std::copy(corners->begin(), corners->end(), mesh.Surface.Facets.emplace_back().begin());
+    }
+    else
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void ReadPoints(vtkUnstructuredGrid* grid, std::vector<carving::Point>& points)
+{
+  points.resize(grid->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    grid->GetPoint(i, points[i].data());
+  }
+}
+
+/** The part of a cell array that is about cells (`first` 0) or facets. */
+template <class Value>
+void TakePart(std::vector<Value>& values, std::size_t first, std::size_t count)
+{
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  values.resize(count);
+}
+
+/** Turns lead from a facet with solid on one side to such a facet. */
+template <int D>
+bool TurnsArePossible(const carving::StoredStream<D>& stream, const std::vector<int>& solidSides)
+{
+  for (std::size_t facet = 0; facet < solidSides.size(); ++facet)
+  {
+    const bool oneSided = solidSides[facet] == 1 || solidSides[facet] == 2;
+    for (const int to : stream.Turns[facet])
+    {
+      if (oneSided &&
+        (to < 0 || to >= static_cast<int>(solidSides.size()) || solidSides[to] % 3 == 0))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+int GetStreamDimension(vtkUnstructuredGrid* grid)
+{
+  if (!grid->GetCellData()->HasArray(StreamArrays::SolidTurns) || grid->GetNumberOfCells() == 0)
+  {
+    return 0;
+  }
+  return grid->GetCellData()->GetArray(StreamArrays::SolidTurns)->GetNumberOfComponents() == 2 ? 2
+                                                                                               : 3;
+}
+
+template <int D>
+std::string ReadStream(
+  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
+{
+  const std::string prefix = "The input is not the stored stream of a carving: ";
+  ReadPoints(grid, stream.Mesh.Surface.Points);
+  if (!ReadCells(grid, stream.Mesh))
+  {
+    return prefix + "it has cells of other types." + Advice;
+  }
+  const vtkIdType count = grid->GetNumberOfCells();
+  std::vector<int> measure, both, turns, solidSides;
+  vtkCellData* cellData = grid->GetCellData();
+  vtkFieldData* fieldData = grid->GetFieldData();
+  for (const std::string& mistake :
+    { ReadArray(cellData, StreamArrays::Step, count, stream.Order.Step),
+      ReadArray(cellData, StreamArrays::Priority, count, stream.Order.Priority),
+      ReadArray(cellData, StreamArrays::Depth, count, stream.Order.Depth),
+      ReadArray(cellData, StreamArrays::Region, count, stream.Regions),
+      ReadArray(cellData, StreamArrays::SolidSides, count, solidSides),
+      ReadArray(cellData, StreamArrays::SolidTurns, count, turns),
+      ReadArray(grid->GetPointData(), StreamArrays::OriginalPoints, grid->GetNumberOfPoints(),
+        stream.Mesh.Surface.PointSources),
+      ReadArray(fieldData, StreamArrays::Measure, 1, measure),
+      ReadArray(fieldData, StreamArrays::BothFoldSides, 1, both),
+      ReadArray(fieldData, StreamArrays::ProfilePriority, -1, stream.Order.StepPriority),
+      ReadArray(fieldData, StreamArrays::ProfileVertices,
+        static_cast<vtkIdType>(stream.Order.StepPriority.size()), profile.Vertices),
+      ReadArray(fieldData, StreamArrays::ProfileTriangles,
+        static_cast<vtkIdType>(stream.Order.StepPriority.size()), profile.Triangles) })
+  {
+    if (!mistake.empty())
+    {
+      return prefix + mistake + Advice;
+    }
+  }
+  const std::size_t cells = stream.Mesh.Cells.size();
+  const std::size_t facets = stream.Mesh.Surface.Facets.size();
+  TakePart(stream.Order.Step, 0, cells);
+  TakePart(stream.Order.Priority, 0, cells);
+  TakePart(stream.Order.Depth, 0, cells);
+  TakePart(stream.Regions, 0, cells);
+  TakePart(solidSides, cells, facets);
+  turns.erase(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(D * cells));
+  stream.Turns.resize(facets);
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    stream.Turns[i / D][i % D] = turns[i];
+  }
+  for (int& step : stream.Order.Step)
+  {
+    step = step < 0 ? carving::Stream::Never : step;
+  }
+  stream.Measure = static_cast<carving::PriorityMeasure>(measure[0]);
+  stream.Folds = both[0] != 0 ? carving::FoldSides::Both : carving::FoldSides::One;
+  carving::SetPriorities<D>(profile, stream.Order.StepPriority, stream.Measure);
+  if (profile.Vertices.empty() || !TurnsArePossible(stream, solidSides) ||
+    !carving::Connect(stream, solidSides))
+  {
+    return prefix + "its cells do not fit together." + Advice;
+  }
+  return {};
+}
+
+template std::string ReadStream<2>(
+  vtkUnstructuredGrid*, carving::StoredStream<2>&, carving::Profile&);
+template std::string ReadStream<3>(
+  vtkUnstructuredGrid*, carving::StoredStream<3>&, carving::Profile&);

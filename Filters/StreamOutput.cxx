@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StreamOutput.h"
+
+#include "ArrayTools.h"
+#include "Faces.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkGenericCell.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <limits>
+
+namespace
+{
+
+using carving::Decomposition;
+using carving::StoredStream;
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/** Never is -1 in the output. */
+int StepForUser(int step)
+{
+  return step == carving::Stream::Never ? -1 : step;
+}
+
+/** Data of the points that resolving or TetGen made: as at the closest point of the input. */
+template <int D>
+void InterpolateNewPoints(
+  const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkPointData* output)
+{
+  vtkNew<vtkPolyData> surface; // without vertices and, in space, lines: they bound nothing
+  surface->SetPoints(input->GetPoints());
+  surface->SetPolys(input->GetPolys());
+  surface->SetStrips(input->GetStrips());
+  if (D == 2)
+  {
+    surface->SetLines(input->GetLines());
+  }
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(surface);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));
+  for (std::size_t i = 0; i < points.Points.size(); ++i)
+  {
+    if (points.PointSources[i] >= 0)
+    {
+      continue;
+    }
+    double closest[3], onCell[3], parametric[3], distance;
+    vtkIdType cellId = -1;
+    int subId = 0;
+    locator->FindClosestPoint(points.Points[i].data(), closest, cell, cellId, subId, distance);
+    surface->GetCell(cellId, cell);
+    cell->EvaluatePosition(closest, onCell, subId, parametric, distance, weights.data());
+    output->InterpolatePoint(
+      input->GetPointData(), static_cast<vtkIdType>(i), cell->GetPointIds(), weights.data());
+  }
+}
+
+template <int D>
+void FillPoints(
+  const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkUnstructuredGrid* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(points.Points.size());
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataTypeToDouble();
+  coordinates->SetNumberOfPoints(count);
+  auto ids = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
+  vtkPointData* pointData = output->GetPointData();
+  pointData->InterpolateAllocate(input->GetPointData(), count);
+  bool anyNew = false;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const int source = points.PointSources[i];
+    coordinates->SetPoint(i, points.Points[i].data());
+    ids->SetValue(i, source);
+    if (source >= 0)
+    {
+      pointData->CopyData(input->GetPointData(), source, i);
+    }
+    anyNew = anyNew || source < 0;
+  }
+  if (anyNew && pointData->GetNumberOfArrays() > 0)
+  {
+    InterpolateNewPoints(points, input, pointData);
+  }
+  output->SetPoints(coordinates);
+  pointData->AddArray(ids);
+}
+
+/** The cells of the complement, then the facets of M. */
+template <int D>
+void FillCells(const Decomposition<D>& mesh, vtkUnstructuredGrid* output)
+{
+  const vtkIdType cells = static_cast<vtkIdType>(mesh.Cells.size());
+  const vtkIdType facets = static_cast<vtkIdType>(mesh.Surface.Facets.size());
+  vtkNew<vtkIdTypeArray> connectivity, offsets;
+  connectivity->SetNumberOfValues((D + 1) * cells + D * facets);
+  offsets->SetNumberOfValues(cells + facets + 1);
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(cells + facets);
+  vtkIdType* to = connectivity->GetPointer(0);
+  vtkIdType i = 0;
+  const auto append = [&](const auto& corners, unsigned char type)
+  {
+    offsets->SetValue(i, to - connectivity->GetPointer(0));
+    types->SetValue(i++, type);
+    to = std::copy(corners.begin(), corners.end(), to);
+  };
+  for (const auto& cell : mesh.Cells)
+  {
+    append(cell, D == 3 ? VTK_TETRA : VTK_TRIANGLE);
+  }
+  for (const auto& facet : mesh.Surface.Facets)
+  {
+    append(facet, D == 3 ? VTK_TRIANGLE : VTK_LINE);
+  }
+  offsets->SetValue(i, to - connectivity->GetPointer(0));
+  vtkNew<vtkCellArray> all;
+  all->SetData(offsets, connectivity);
+  output->SetCells(types, all);
+}
+
+template <int D>
+std::vector<int> FindFacetSteps(const StoredStream<D>& stream)
+{
+  std::vector<int> steps;
+  for (const auto& [behind, inFront] : stream.Sides)
+  {
+    steps.push_back(std::min(carving::StepAt(stream, behind), carving::StepAt(stream, inFront)));
+  }
+  return steps;
+}
+
+template <int D>
+void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
+  const std::vector<vtkIdType>& cellIds, vtkCellData* output)
+{
+  const vtkIdType cells = static_cast<vtkIdType>(stream.Mesh.Cells.size());
+  const vtkIdType facets = static_cast<vtkIdType>(stream.Sides.size());
+  const vtkIdType count = cells + facets;
+  auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, count);
+  auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, count);
+  auto steps = MakeArray<vtkIntArray>(StreamArrays::Step, count);
+  auto region = MakeArray<vtkIntArray>(StreamArrays::Region, count);
+  auto solidSides = MakeArray<vtkIntArray>(StreamArrays::SolidSides, count);
+  auto solidTurns = MakeArray<vtkIntArray>(StreamArrays::SolidTurns, count, D);
+  auto originalCells = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, count);
+  solidSides->Fill(0);
+  solidTurns->Fill(-1);
+  output->CopyAllocate(input->GetCellData(), count);
+  for (vtkIdType i = 0; i < cells; ++i)
+  {
+    priority->SetValue(i, stream.Order.Priority[i]);
+    depth->SetValue(i, stream.Order.Depth[i]);
+    steps->SetValue(i, StepForUser(stream.Order.Step[i]));
+    region->SetValue(i, stream.Regions[i]);
+    originalCells->SetValue(i, -1);
+    output->NullData(i);
+  }
+  const std::vector<int> facetSteps = FindFacetSteps(stream);
+  const std::vector<int> sides = carving::GetSolidSides(stream);
+  for (vtkIdType facet = 0; facet < facets; ++facet)
+  {
+    const vtkIdType i = cells + facet;
+    const vtkIdType original = cellIds[stream.Mesh.Surface.FacetSources[facet]];
+    priority->SetValue(i, NaN);
+    depth->SetValue(i, 0.0);
+    steps->SetValue(i, StepForUser(facetSteps[facet]));
+    region->SetValue(i, -1);
+    solidSides->SetValue(i, sides[facet]);
+    for (int k = 0; k < D; ++k)
+    {
+      solidTurns->SetTypedComponent(i, k, stream.Turns[facet][k]);
+    }
+    originalCells->SetValue(i, original);
+    output->CopyData(input->GetCellData(), original, i);
+  }
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
+         priority, depth, steps, region, solidSides, solidTurns, originalCells })
+  {
+    output->AddArray(array);
+  }
+}
+
+} // namespace
+
+template <int D>
+void FillStream(const StoredStream<D>& stream, const carving::Profile& profile, vtkPolyData* input,
+  const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output)
+{
+  FillPoints(stream.Mesh.Surface, input, output);
+  FillCells(stream.Mesh, output);
+  FillCellData(stream, input, cellIds, output->GetCellData());
+  vtkFieldData* fieldData = output->GetFieldData();
+  AddFieldValue<vtkIntArray>(fieldData, StreamArrays::Measure, static_cast<int>(stream.Measure));
+  AddFieldValue<vtkIntArray>(
+    fieldData, StreamArrays::BothFoldSides, stream.Folds == carving::FoldSides::Both);
+  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVertices, profile.Vertices);
+  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileTriangles, profile.Triangles);
+  AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfilePriority, profile.Priority);
+}
+
+template void FillStream<2>(const StoredStream<2>&, const carving::Profile&, vtkPolyData*,
+  const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+template void FillStream<3>(const StoredStream<3>&, const carving::Profile&, vtkPolyData*,
+  const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+
+void FillProfile(const carving::Profile& profile, vtkTable* output)
+{
+  const vtkIdType rows = static_cast<vtkIdType>(profile.Vertices.size());
+  auto step = MakeArray<vtkIntArray>("Step", rows);
+  auto vertices = MakeArray<vtkIntArray>("Vertices", rows);
+  auto triangles = MakeArray<vtkIntArray>("Triangles", rows);
+  auto priority = MakeArray<vtkDoubleArray>("Priority", rows);
+  for (vtkIdType i = 0; i < rows; ++i)
+  {
+    step->SetValue(i, static_cast<int>(i));
+    vertices->SetValue(i, profile.Vertices[i]);
+    triangles->SetValue(i, profile.Triangles[i]);
+    priority->SetValue(i, profile.Priority[i]);
+  }
+  for (vtkAbstractArray* column :
+    std::initializer_list<vtkAbstractArray*>{ step, vertices, triangles, priority })
+  {
+    output->AddColumn(column);
+  }
+}

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCarverAlgorithm.h"
+
+#include "CarverSession.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTypes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+//------------------------------------------------------------------------------
+vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
+{
+  if (dimension == 2)
+  {
+    this->Session.reset(new CarverSession<2>(this));
+  }
+  else
+  {
+    this->Session.reset(new CarverSession<3>(this));
+  }
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkCarverAlgorithm::~vtkCarverAlgorithm() = default;
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetLevelTargetType(int type)
+{
+  const int known = static_cast<int>(carving::ToLevelTarget(type));
+  if (this->LevelTargetType != known)
+  {
+    this->LevelTargetType = known;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::AddLevelTarget(double target)
+{
+  this->Targets.push_back(target);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::ClearLevelTargets()
+{
+  if (!this->Targets.empty())
+  {
+    this->Targets.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::GetNumberOfLevelTargets()
+{
+  return static_cast<int>(this->Targets.size());
+}
+
+//------------------------------------------------------------------------------
+double vtkCarverAlgorithm::GetLevelTarget(int index)
+{
+  return index >= 0 && index < this->GetNumberOfLevelTargets() ? this->Targets[index] : 0.0;
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::GetNumberOfStages()
+{
+  return NumberOfCarverStages;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkCarverAlgorithm::GetStageName(int stage)
+{
+  return stage < 0 || stage >= NumberOfCarverStages ? nullptr : GetCarverStageName(stage);
+}
+
+//------------------------------------------------------------------------------
+double vtkCarverAlgorithm::GetStageSeconds(int stage)
+{
+  return stage < 0 || stage >= NumberOfCarverStages ? 0.0 : this->Session->GetStageSeconds(stage);
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  // Declared too, or the pipeline would feed the leaves one by one and keep the last result only.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  // The types of ports 1 and 2 follow the input's.
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkMultiBlockDataSet" : "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::RequestDataObject(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
+  const char* types[] = { "vtkMultiBlockDataSet",
+    composite ? "vtkMultiBlockDataSet" : "vtkUnstructuredGrid",
+    composite ? "vtkMultiBlockDataSet" : "vtkTable" };
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkDataObject* current = vtkDataObject::GetData(out, port);
+    if (!current || !current->IsA(types[port]))
+    {
+      vtkSmartPointer<vtkDataObject> output;
+      output.TakeReference(vtkDataObjectTypes::NewDataObject(types[port]));
+      out->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), output);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  CarverSettings settings;
+  settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
+  settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
+  settings.Carve.Measure = static_cast<carving::PriorityMeasure>(this->PriorityMeasure);
+  settings.Carve.DepthExponent = this->DepthExponent;
+  settings.Carve.BreadthRadius = this->BreadthRadius;
+  settings.Carve.CarveExposed = this->CarveExposed;
+  settings.Carve.CarveVoids = this->CarveVoids;
+  settings.DepthIsDistance = this->DepthMeasure == DISTANCE;
+  settings.NumberOfLevels = this->NumberOfLevels;
+  settings.LevelTargets = this->Targets;
+  settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
+  settings.KeepBothFoldSides = this->KeepBothFoldSides;
+  settings.ManifoldOutput = this->ManifoldOutput;
+  const CarverPorts ports = { vtkMultiBlockDataSet::GetData(out, 0), vtkDataObject::GetData(out, 1),
+    vtkDataObject::GetData(out, 2) };
+  if (this->Session->Update(
+        vtkDataObject::GetData(in[0], 0), vtkPolyData::GetData(in[1], 0), settings, ports))
+  {
+    return 1;
+  }
+  ports.Levels->Initialize();
+  ports.Stream->Initialize();
+  ports.Profile->Initialize();
+  return this->GetAbortExecute() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  constexpr const char* initials[] = { "CONVEX_HULL", "BOUNDING_BOX", "CUSTOM" };
+  constexpr const char* measures[] = { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" };
+  constexpr const char* depths[] = { "HIERARCHY", "DISTANCE" };
+  constexpr const char* rules[] = { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" };
+  os << indent << "InitialApproximation: " << initials[this->InitialApproximation] << "\n";
+  os << indent << "PriorityMeasure: " << measures[this->PriorityMeasure] << "\n";
+  os << indent << "DepthExponent: " << this->DepthExponent << "\n";
+  os << indent << "DepthMeasure: " << depths[this->DepthMeasure] << "\n";
+  os << indent << "BreadthRadius: " << this->BreadthRadius << "\n";
+  os << indent << "CarveExposed: " << (this->CarveExposed ? "On" : "Off") << "\n";
+  os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
+  os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
+  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
+  os << indent << "KeepBothFoldSides: " << (this->KeepBothFoldSides ? "On" : "Off") << "\n";
+  os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
+  os << indent << "LevelTargetType: "
+     << carving::LevelTargetName(static_cast<carving::LevelTarget>(this->LevelTargetType)) << "\n";
+  os << indent << "LevelTargets:";
+  for (const double target : this->Targets)
+  {
+    os << " " << target;
+  }
+  os << "\n";
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCarverAlgorithm
+ * @brief what vtkTopologyCarver and vtkContourCarver have in common: properties, ports, stages
+ *
+ * The properties are described for meshes in space. For contours in a plane read triangle for
+ * tetrahedron, edge for triangle, area for volume and polygon for closed mesh.
+ */
+#ifndef vtkCarverAlgorithm_h
+#define vtkCarverAlgorithm_h
+
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkTopologyCarvingModule.h" // for export macro
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for the level targets
+
+class CarverSessionBase;
+
+class VTKTOPOLOGYCARVING_EXPORT vtkCarverAlgorithm : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkCarverAlgorithm, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** What a stream starts from (section 3.1). */
+  enum InitialApproximations
+  {
+    CONVEX_HULL = 0,
+    BOUNDING_BOX = 1,
+    CUSTOM = 2
+  };
+
+  /** q, by which tetrahedra are prioritized (section 4). */
+  enum PriorityMeasures
+  {
+    LONGEST_EDGE = 0,
+    VOLUME = 1,
+    CIRCUMRADIUS = 2,
+    EDGE_VOLUME = 3
+  };
+
+  /** d, the depth of a tetrahedron (section 5.3). */
+  enum DepthMeasures
+  {
+    HIERARCHY = 0,
+    DISTANCE = 1
+  };
+
+  /** Which regions that M encloses are solid. */
+  enum SolidRules
+  {
+    NONZERO_WINDING = 0,
+    EVEN_ODD = 1,
+    SURFACE_ONLY = 2
+  };
+
+  /** What a level target counts. */
+  enum LevelTargets
+  {
+    VERTICES = 0,
+    TRIANGLES = 1,
+    FEATURE_SIZE = 2,
+    STEP = 6
+  };
+
+  ///@{
+  /**
+   * The first level, C0. CONVEX_HULL (default) has vertices of the input only. BOUNDING_BOX is the
+   * axis-aligned box around the input, grown by one hundredth of its diagonal on every side so that no
+   * input point lies on it: coarser to begin with, but its corners are new vertices, and while they
+   * last they draw spikes. CUSTOM is the mesh on input port 1: closed, of genus zero, in one piece, free
+   * of self-intersections and around the input, which it may touch; an error names each of these that
+   * does not hold. Its vertices are new, but for those where the input has one too. This and the mesh on
+   * port 1 are what runs the helper program again when it changes.
+   */
+  vtkSetClampMacro(InitialApproximation, int, CONVEX_HULL, CUSTOM);
+  vtkGetMacro(InitialApproximation, int);
+  ///@}
+
+  ///@{
+  /**
+   * q(t), by which the tetrahedra t are prioritized; the highest is carved first (section 4).
+   * - LONGEST_EDGE (default): l, the length of the longest edge. Opens wide gaps before narrow ones
+   *   and varies little between neighbors.
+   * - VOLUME: v. Removes the most volume early; neighbors differ much, which leaves sharp features.
+   * - CIRCUMRADIUS: r, the radius of the circumscribed sphere, at most the hull's diagonal. Close to
+   *   rolling a shrinking ball over M; takes flat tetrahedra early.
+   * - EDGE_VOLUME: the geometric mean of l and the cube root of v, both of the paper's two terms: slivers,
+   *   whose edges are long, come later than by LONGEST_EDGE.
+   */
+  vtkSetClampMacro(PriorityMeasure, int, LONGEST_EDGE, EDGE_VOLUME);
+  vtkGetMacro(PriorityMeasure, int);
+  ///@}
+
+  ///@{
+  /**
+   * dp of equation (2): the priority is q(t) d(t)^-dp, so that the higher the exponent the more evenly
+   * carving advances from all sides instead of digging deep (snaking, section 5.1). At least 0, the
+   * default, by which depth does not matter.
+   */
+  vtkSetClampMacro(DepthExponent, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(DepthExponent, double);
+  ///@}
+
+  ///@{
+  /**
+   * d(t) of equation (2). HIERARCHY (default): 1 for a tetrahedron on C0, one more than the neighbor
+   * whose carving made it carvable for any other. DISTANCE: that of the centroid from the surface of
+   * C0, in world units.
+   */
+  vtkSetClampMacro(DepthMeasure, int, HIERARCHY, DISTANCE);
+  vtkGetMacro(DepthMeasure, int);
+  ///@}
+
+  ///@{
+  /**
+   * bp of section 5.4, in world units: a step carves all tetrahedra whose centroid lies within this
+   * distance of the popped one's and that a walk among those reaches without crossing M. It avoids
+   * narrow, deep cavities (spiking, section 5.2). At least 0, the default: one tetrahedron a step.
+   */
+  vtkSetClampMacro(BreadthRadius, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BreadthRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether exposed tetrahedra, those with more than one face open to the exterior, are carved in
+   * the same step as the neighbor whose carving exposed them (section 3.4). It lowers the number of
+   * triangles without changing that of vertices. Default on.
+   */
+  vtkSetMacro(CarveExposed, bool);
+  vtkGetMacro(CarveExposed, bool);
+  vtkBooleanMacro(CarveExposed, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether voids, regions of the complement that M encloses, are carved too, each from its tetrahedron
+   * of highest priority on (section 3). If not, their walls show on no level. Default on.
+   */
+  vtkSetMacro(CarveVoids, bool);
+  vtkGetMacro(CarveVoids, bool);
+  vtkBooleanMacro(CarveVoids, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Which of the regions that M encloses are solid; the others are voids. What reaches the outside
+   * without crossing M is neither.
+   * - NONZERO_WINDING (default): where the winding number of M is at least one half in magnitude.
+   *   Overlapping parts are solid throughout, whichever way they are oriented.
+   * - EVEN_ODD: where the path of fewest crossings from the outside crosses an odd number of triangles.
+   *   Orientation does not matter; shells within shells are solid and hollow by turns.
+   * - SURFACE_ONLY: none. Of a closed mesh the inside is carved too.
+   *
+   * For a mesh that is open or inconsistently oriented the first two may have to guess; a note says so.
+   */
+  vtkSetClampMacro(SolidRule, int, NONZERO_WINDING, SURFACE_ONLY);
+  vtkGetMacro(SolidRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of levels to spread between C0, the first, and M, the last, so that their vertex counts
+   * grow geometrically. Where there are not that many distinct vertex counts, the rest is spread by
+   * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. At least
+   * 1, default 8. Not used while level targets are set.
+   */
+  vtkSetClampMacro(NumberOfLevels, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether folds, triangles of M with the exterior on both sides, show with both of their sides: the
+   * triangle and its opposite-facing copy (section 3.3). Default off: once each, oriented as in M.
+   */
+  vtkSetMacro(KeepBothFoldSides, bool);
+  vtkGetMacro(KeepBothFoldSides, bool);
+  vtkBooleanMacro(KeepBothFoldSides, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether levels are cut into oriented manifolds (section 3.3): no edge has more than two triangles,
+   * and the triangles of every vertex form one fan. Where sheets meet in an edge or a vertex, each gets
+   * a copy of its points; triangles between which the solid lies stay joined, so that what bounds a
+   * solid stays closed. Two sheets that share an edge and are one around both of its ends (a tunnel that
+   * is about to open) are joined across the exterior there. Folds are joined with folds only. Default
+   * on; off leaves one point per vertex. `Vertices` does not count the copies.
+   */
+  vtkSetMacro(ManifoldOutput, bool);
+  vtkGetMacro(ManifoldOutput, bool);
+  vtkBooleanMacro(ManifoldOutput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the level targets are: numbers of VERTICES (default) or TRIANGLES of a level, a FEATURE_SIZE,
+   * or a STEP. Other values up to STEP are reserved; they are set to the nearest known one below.
+   */
+  void SetLevelTargetType(int type);
+  vtkGetMacro(LevelTargetType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Levels by size, one for each target. VERTICES or TRIANGLES n: the last step such that it and all
+   * steps before it have at most n; a target below C0's own count gives C0 and a warning. FEATURE_SIZE
+   * s, a length: the last step before a priority of at most s is popped (for VOLUME its cube root, for
+   * CIRCUMRADIUS twice it), so that gaps wider than about s are open and narrower ones closed; strict
+   * only with DepthExponent and BreadthRadius 0 and CarveExposed off. STEP k: that step, or the nearest
+   * and a warning. Levels are sorted from coarse to fine. While any target is set it replaces
+   * NumberOfLevels.
+   */
+  void AddLevelTarget(double target);
+  void ClearLevelTargets();
+  int GetNumberOfLevelTargets();
+  /** Returns 0 if there is no target of that index. */
+  double GetLevelTarget(int index);
+  ///@}
+
+  ///@{
+  /**
+   * Wall-clock seconds that each stage of the last update took, summed over the leaves of a composite
+   * input. The first stages belong to the helper program and are 0 when its result was reused. An
+   * index out of range gives 0 and null.
+   */
+  int GetNumberOfStages();
+  const char* GetStageName(int stage);
+  double GetStageSeconds(int stage);
+  ///@}
+
+protected:
+  /** 3 for meshes in space, 2 for contours in a plane. */
+  explicit vtkCarverAlgorithm(int dimension);
+  ~vtkCarverAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+
+  int InitialApproximation = CONVEX_HULL;
+  int PriorityMeasure = LONGEST_EDGE;
+  double DepthExponent = 0.0;
+  int DepthMeasure = HIERARCHY;
+  double BreadthRadius = 0.0;
+  bool CarveExposed = true;
+  bool CarveVoids = true;
+  int SolidRule = NONZERO_WINDING;
+  int NumberOfLevels = 8;
+  bool KeepBothFoldSides = false;
+  bool ManifoldOutput = true;
+  int LevelTargetType = VERTICES;
+  std::vector<double> Targets;
+
+private:
+  vtkCarverAlgorithm(const vtkCarverAlgorithm&) = delete;
+  void operator=(const vtkCarverAlgorithm&) = delete;
+
+  std::unique_ptr<CarverSessionBase> Session;
+};
+
+#endif

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourTesting.h"
+#include "FilterTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using EdgeSet = std::multiset<std::pair<carving::Point, carving::Point>>;
+
+/** A level for every step. */
+void AskForAllSteps(vtkContourCarver* carver, vtkPolyData* input)
+{
+  Carve(carver, input);
+  carver->SetLevelTargetType(vtkContourCarver::STEP);
+  for (int step = 0; step <= FieldValue(LastLevel(carver), "Step"); ++step)
+  {
+    carver->AddLevelTarget(step);
+  }
+  carver->Update();
+}
+
+/** A star with a hole, next to a square: a bit of everything. */
+vtkSmartPointer<vtkPolyData> Medley()
+{
+  return Polygons({ Star(), Reversed(Rectangle(-0.2, -0.2, 0.2, 0.2)), Rectangle(3, 1, 4, 2) });
+}
+
+} // namespace
+
+// A U is carved out of its hull: the first level is the hull, the last the U itself.
+TEST(ContourCarver, GoesFromTheHullToTheInput)
+{
+  vtkNew<vtkContourCarver> carver;
+  auto input = Polygons({ LetterU() });
+  Carve(carver, input);
+  // The hull's upper side runs through the four ends of the arms.
+  const EdgeSet hull = Edges(
+    Polygons({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { 0, 2, 0 } } }));
+  EXPECT_EQ(Edges(GetLevel(carver, 0)), hull);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+}
+
+// A polygon's sense of rotation does not matter: its inside is solid and on the left of the edges.
+TEST(ContourCarver, OrientsLevelsOutward)
+{
+  vtkNew<vtkContourCarver> carver;
+  Carve(carver, Polygons({ Reversed(LetterU()) }));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
+}
+
+// The hole of a square is carved too, and stays closed without CarveVoids.
+TEST(ContourCarver, CarvesHoles)
+{
+  vtkNew<vtkContourCarver> carver;
+  auto input = Polygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
+  Carve(carver, input);
+  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+  carver->CarveVoidsOff();
+  carver->Update();
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+}
+
+// Two squares one in the other, of the same sense: solid by winding, a hole by parity, all carved
+// with neither.
+TEST(ContourCarver, FollowsTheSolidRule)
+{
+  vtkNew<vtkContourCarver> carver;
+  Carve(carver, Polygons({ Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 2) }));
+  EXPECT_EQ(Area(LastLevel(carver)), 16.0);
+  carver->SetSolidRule(vtkContourCarver::EVEN_ODD);
+  carver->Update();
+  EXPECT_EQ(Area(LastLevel(carver)), 15.0);
+  carver->SetSolidRule(vtkContourCarver::SURFACE_ONLY);
+  carver->KeepBothFoldSidesOn();
+  carver->Update();
+  EXPECT_EQ(Area(LastLevel(carver)), 0.0);
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfLines(), 2 * 8);
+}
+
+// Two crossing polylines are split where they meet, in a new vertex with interpolated data.
+TEST(ContourCarver, ResolvesCrossings)
+{
+  auto input = Polylines({ { { 0, 0, 0 }, { 2, 2, 0 } }, { { 0, 2, 0 }, { 2, 0, 0 } } });
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  for (const double height : { 1.0, 3.0, 2.0, 2.0 })
+  {
+    heights->InsertNextValue(height);
+  }
+  input->GetPointData()->AddArray(heights);
+  vtkNew<vtkContourCarver> carver;
+  carver->ManifoldOutputOff();
+  Carve(carver, input);
+  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Rectangle(0, 0, 2, 2) })));
+  vtkPolyData* last = LastLevel(carver);
+  EXPECT_EQ(Edges(last),
+    Edges(Polylines(
+      { { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } }, { { 0, 2, 0 }, { 1, 1, 0 }, { 2, 0, 0 } } })));
+  EXPECT_EQ(FieldValue(last, "NewVertices"), 1);
+  EXPECT_EQ(last->GetNumberOfPoints(), 5);
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    if (last->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(i) < 0)
+    {
+      EXPECT_EQ(last->GetPointData()->GetArray("Height")->GetTuple1(i), 2.0);
+    }
+  }
+  std::multiset<double> cells;
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    cells.insert(last->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i));
+  }
+  EXPECT_EQ(cells, (std::multiset<double>{ 0, 0, 1, 1 }));
+}
+
+// Area falls from step to step, from that of the hull to that of the input, and M stays inside.
+TEST(ContourCarver, ShrinksToTheInput)
+{
+  vtkNew<vtkContourCarver> carver;
+  auto input = Medley();
+  AskForAllSteps(carver, input);
+  double before = Area(GetLevel(carver, 0));
+  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  ASSERT_GT(levels, 20);
+  for (int i = 1; i < levels; ++i)
+  {
+    const double area = Area(GetLevel(carver, i));
+    EXPECT_LT(area, before);
+    before = area;
+  }
+  EXPECT_NEAR(before, Area(input), 1e-12);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+}
+
+// Every level has the numbers of vertices and edges that the profile says.
+TEST(ContourCarver, AgreesWithItsProfile)
+{
+  vtkNew<vtkContourCarver> carver;
+  carver->ManifoldOutputOff();
+  AskForAllSteps(carver, Medley());
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  ASSERT_EQ(profile->GetNumberOfRows(), levels);
+  for (int i = 0; i < levels; ++i)
+  {
+    vtkPolyData* level = GetLevel(carver, i);
+    EXPECT_EQ(profile->GetValueByName(i, "Vertices").ToInt(), level->GetNumberOfPoints());
+    EXPECT_EQ(profile->GetValueByName(i, "Triangles").ToInt(), level->GetNumberOfLines());
+  }
+}
+
+// With manifold output an edge begins and an edge ends at every point, on every level.
+TEST(ContourCarver, CutsIntoClosedLoops)
+{
+  vtkNew<vtkContourCarver> carver;
+  AskForAllSteps(carver, Medley());
+  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  for (int i = 0; i < levels; ++i)
+  {
+    for (const auto& degrees : Degrees(GetLevel(carver, i)))
+    {
+      ASSERT_EQ(degrees, std::pair(1, 1)) << "step " << i;
+    }
+  }
+}
+
+// Two squares that share a corner get a copy of it each with manifold output.
+TEST(ContourCarver, CutsTouchingSquaresApart)
+{
+  vtkNew<vtkContourCarver> carver;
+  Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 8);
+  EXPECT_EQ(FieldValue(LastLevel(carver), "Vertices"), 7);
+  for (const auto& degrees : Degrees(LastLevel(carver)))
+  {
+    EXPECT_EQ(degrees, std::pair(1, 1));
+  }
+  carver->ManifoldOutputOff();
+  carver->Update();
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 7);
+}
+
+// vtkExtractCarvedLOD gives every level from the stream, points and edges in the same order.
+TEST(ContourCarver, StreamsToTheExtractor)
+{
+  vtkNew<vtkContourCarver> carver;
+  Carve(carver, Medley());
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputConnection(carver->GetOutputPort(1));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  for (int i = 0; i < 8; ++i)
+  {
+    vtkPolyData* level = GetLevel(carver, i);
+    extract->SetLevelTarget(GetLevelStep(carver, i));
+    extract->Update();
+    vtkPolyData* same = extract->GetOutput();
+    ASSERT_EQ(same->GetNumberOfPoints(), level->GetNumberOfPoints());
+    ASSERT_EQ(same->GetNumberOfLines(), level->GetNumberOfLines());
+    EXPECT_EQ(Edges(same), Edges(level));
+    EXPECT_EQ(Degrees(same), Degrees(level));
+  }
+}
+
+// All properties of a carver have their effect in the plane too.
+TEST(ContourCarver, TakesMeasuresDepthAndBreadth)
+{
+  for (const int measure : { 0, 1, 2, 3 })
+  {
+    vtkNew<vtkContourCarver> carver;
+    Messages messages(carver);
+    carver->SetPriorityMeasure(measure);
+    carver->SetDepthExponent(2.0);
+    carver->SetDepthMeasure(vtkContourCarver::DISTANCE);
+    carver->SetBreadthRadius(0.5);
+    auto input = Medley();
+    Carve(carver, input);
+    EXPECT_TRUE(messages.Errors.empty());
+    EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+  }
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What vtkContourCarver takes and what it rejects.
+#include "ContourTesting.h"
+#include "FilterTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+Loop Mapped(const Loop& loop, const carving::Point& u, const carving::Point& v)
+{
+  Loop result;
+  for (const carving::Point& p : loop)
+  {
+    carving::Point& q = result.emplace_back();
+    for (int i = 0; i < 3; ++i)
+    {
+      q[i] = 1.0 + p[0] * u[i] + p[1] * v[i];
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+// In any plane the first and last levels are those of the plane z = 0, and vertices are the input's.
+TEST(ContourInput, WorksInAnyPlane)
+{
+  const carving::Point directions[][2] = { { { 0, 1, 0 }, { 0, 0, 1 } }, // facing x
+    { { 0, 0, 1 }, { 1, 0, 0 } },                                        // facing y
+    { { 0.8, 0.1, -0.3 }, { 0.1, 0.7, 0.35 } } };
+  const Loop letterL = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 },
+    { 0, 2, 0 } };
+  const Loop hull = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
+  const Loop hole = Reversed(Rectangle(0.2, 0.3, 0.6, 0.7));
+  for (const auto& [u, v] : directions)
+  {
+    auto input = Polygons({ Mapped(letterL, u, v), Mapped(hole, u, v) });
+    vtkNew<vtkContourCarver> carver;
+    Messages messages(carver);
+    Carve(carver, input);
+    ASSERT_TRUE(messages.Errors.empty()) << messages.Errors.front();
+    EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Mapped(hull, u, v) })));
+    EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+  }
+}
+
+// The bounding box starts as a rectangle of new vertices, a hundredth of the diagonal away.
+TEST(ContourInput, StartsFromABox)
+{
+  vtkNew<vtkContourCarver> carver;
+  carver->SetInitialApproximation(vtkContourCarver::BOUNDING_BOX);
+  auto input = Polygons({ Rectangle(0, 0, 3, 4) });
+  Carve(carver, input);
+  double bounds[6];
+  GetLevel(carver, 0)->GetBounds(bounds);
+  EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfLines(), 4);
+  EXPECT_EQ(FieldValue(GetLevel(carver, 0), "NewVertices"), 4);
+  const double expected[] = { -0.05, 3.05, -0.05, 4.05, 0.0, 0.0 };
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_NEAR(bounds[i], expected[i], 1e-12);
+  }
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+}
+
+// A contour of one's own is the first level, and may touch the input.
+TEST(ContourInput, StartsFromAGivenContour)
+{
+  vtkNew<vtkContourCarver> carver;
+  carver->SetInitialApproximation(vtkContourCarver::CUSTOM);
+  // Not convex, clockwise, and touching the input at (0, 0).
+  auto initial = Polygons({ Reversed({ { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } }) });
+  auto input = Polygons({ Rectangle(0, 0, 2, 2) });
+  carver->SetInputData(1, initial);
+  Carve(carver, input);
+  EXPECT_EQ(Edges(GetLevel(carver, 0)),
+    Edges(Polygons({ { { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } } })));
+  EXPECT_EQ(FieldValue(GetLevel(carver, 0), "NewVertices"), 3);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+}
+
+// What a given contour lacks is named.
+TEST(ContourInput, NamesWhatAGivenContourLacks)
+{
+  const auto square = Rectangle(-9, -9, 9, 9);
+  const std::pair<vtkSmartPointer<vtkPolyData>, const char*> cases[] = {
+    { Polylines({ square }), "is not closed" },
+    { Polygons({ square, Rectangle(20, 20, 30, 30) }), "is in 2 pieces" },
+    { Polygons({ { { -9, -9, 0 }, { 9, 9, 0 }, { 9, -9, 0 }, { -9, 9, 0 } } }),
+      "crosses or touches itself at (0, 0)" },
+    { Polygons({ Rectangle(0.5, 0.5, 9, 9) }), "does not contain the input" },
+    { Polygons({ Rectangle(5, 5, 9, 9) }), "does not contain the input" },
+    { Polygons({ Rectangle(0, 0, 0, 0) }), "has no edge" },
+    { Polygons({ { { -9, -9, 1 }, { 9, -9, 1 }, { 0, 9, 1 } } }), "plane of the input" },
+  };
+  for (const auto& [initial, expected] : cases)
+  {
+    vtkNew<vtkContourCarver> carver;
+    Messages messages(carver);
+    carver->SetInitialApproximation(vtkContourCarver::CUSTOM);
+    carver->SetInputData(1, initial);
+    Carve(carver, Polygons({ Rectangle(0, 0, 1, 1) }));
+    ASSERT_EQ(messages.Errors.size(), 1u) << expected;
+    EXPECT_NE(messages.Errors[0].find("The initial approximation on port 1"), std::string::npos);
+    EXPECT_NE(messages.Errors[0].find(expected), std::string::npos) << messages.Errors[0];
+    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  }
+}
+
+// A point off the plane is named, with its distance.
+TEST(ContourInput, NamesAPointOffThePlane)
+{
+  vtkNew<vtkContourCarver> carver;
+  Messages messages(carver);
+  Carve(carver, Polygons({ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0 } } }));
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  // From the plane of the three others: 0.1 / sqrt(1.01).
+  EXPECT_NE(messages.Errors[0].find("Point 3 is 0.0995037 away"), std::string::npos)
+    << messages.Errors[0];
+}
+
+// Contours on one line have no hull to carve; a point at infinity is named.
+TEST(ContourInput, RejectsALineAndInfinity)
+{
+  vtkNew<vtkContourCarver> carver;
+  Messages messages(carver);
+  Carve(carver, Polylines({ { { 0, 0, 0 }, { 1, 1, 0 }, { 3, 3, 0 } } }));
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find("All points lie on one line"), std::string::npos);
+  Carve(carver, Polylines({ { { 0, 0, 0 }, { 1, HUGE_VAL, 0 }, { 3, 3, 0 } } }));
+  ASSERT_EQ(messages.Errors.size(), 2u);
+  EXPECT_NE(messages.Errors[1].find("Point 1 is (1, inf, 0)"), std::string::npos);
+}
+
+// Vertices and strips are passed over with a note, ghost cells without.
+TEST(ContourInput, PassesOverWhatIsNoContour)
+{
+  auto input = Polygons({ LetterU(), Rectangle(7, 7, 8, 8) });
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0 });
+  input->SetVerts(verts);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (const int type : { 0, 0, static_cast<int>(vtkDataSetAttributes::DUPLICATECELL) })
+  {
+    ghosts->InsertNextValue(static_cast<unsigned char>(type));
+  }
+  input->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkContourCarver> carver;
+  Carve(carver, input);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
+  auto* notes =
+    vtkStringArray::SafeDownCast(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
+  ASSERT_TRUE(notes);
+  EXPECT_NE(notes->GetValue(0).find("1 cells were passed over"), std::string::npos);
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTopologyCarver.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace
+{
+
+/** Same arrays, same names, same bits. */
+void ExpectEqualArrays(vtkFieldData* a, vtkFieldData* b)
+{
+  ASSERT_EQ(a->GetNumberOfArrays(), b->GetNumberOfArrays());
+  for (int i = 0; i < a->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* first = a->GetArray(i);
+    if (!first)
+    {
+      continue; // strings
+    }
+    vtkDataArray* second = b->GetArray(first->GetName());
+    ASSERT_TRUE(second) << first->GetName();
+    ASSERT_EQ(first->GetNumberOfValues(), second->GetNumberOfValues());
+    ASSERT_EQ(first->GetDataType(), second->GetDataType());
+    EXPECT_EQ(std::memcmp(first->GetVoidPointer(0), second->GetVoidPointer(0),
+                first->GetNumberOfValues() * first->GetDataTypeSize()),
+      0)
+      << first->GetName();
+  }
+}
+
+void ExpectEqualLevels(vtkPolyData* a, vtkPolyData* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      ASSERT_EQ(a->GetPoints()->GetData()->GetComponent(i, k),
+        b->GetPoints()->GetData()->GetComponent(i, k));
+    }
+  }
+  vtkDataArray* cells[] = { a->GetPolys()->GetConnectivityArray(),
+    b->GetPolys()->GetConnectivityArray() };
+  for (vtkIdType i = 0; i < cells[0]->GetNumberOfValues(); ++i)
+  {
+    ASSERT_EQ(cells[0]->GetTuple1(i), cells[1]->GetTuple1(i));
+  }
+  ExpectEqualArrays(a->GetPointData(), b->GetPointData());
+  ExpectEqualArrays(a->GetCellData(), b->GetCellData());
+  ExpectEqualArrays(a->GetFieldData(), b->GetFieldData());
+}
+
+/** The stream as from a file: nothing but the data. */
+vtkSmartPointer<vtkUnstructuredGrid> CopyStream(vtkTopologyCarver* carver)
+{
+  auto stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  stream->DeepCopy(carver->GetOutputDataObject(1));
+  return stream;
+}
+
+} // namespace
+
+// Every level of a stream is bit for bit the one that the carver gives, cut or not, with both sides of
+// folds or one.
+TEST(ExtractCarvedLOD, GivesTheCarversLevels)
+{
+  for (const char* mesh : { "bones.off", "elephant.off" })
+  {
+    for (const bool other : { false, true })
+    {
+      vtkNew<vtkTopologyCarver> carver;
+      carver->SetInputData(ReadReal(mesh));
+      carver->SetManifoldOutput(!other);
+      carver->SetKeepBothFoldSides(other);
+      carver->SetSolidRule(
+        other ? vtkTopologyCarver::SURFACE_ONLY : vtkTopologyCarver::NONZERO_WINDING);
+      carver->Update();
+      vtkNew<vtkExtractCarvedLOD> extract;
+      extract->SetInputData(CopyStream(carver));
+      extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+      extract->SetManifoldOutput(!other);
+      for (int i = 0; i < 8; ++i)
+      {
+        extract->SetLevelTarget(GetLevelStep(carver, i));
+        extract->Update();
+        ExpectEqualLevels(GetLevel(carver, i), extract->GetOutput());
+      }
+    }
+  }
+}
+
+// Targets of each kind pick the same step as in the carver.
+TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("bones.off"));
+  const std::pair<int, double> targets[] = { { vtkTopologyCarver::VERTICES, 500 },
+    { vtkTopologyCarver::TRIANGLES, 2000 }, { vtkTopologyCarver::FEATURE_SIZE, 0.7 },
+    { vtkTopologyCarver::STEP, 77 } };
+  for (const auto& [type, target] : targets)
+  {
+    carver->ClearLevelTargets();
+    carver->SetLevelTargetType(type);
+    carver->AddLevelTarget(target);
+    carver->Update();
+    vtkNew<vtkExtractCarvedLOD> extract;
+    extract->SetInputData(CopyStream(carver));
+    extract->SetLevelTargetType(type);
+    extract->SetLevelTarget(target);
+    extract->Update();
+    ExpectEqualLevels(GetLevel(carver, 0), extract->GetOutput());
+  }
+}
+
+// A feature size stops before the first pop with a priority of at most that.
+TEST(ExtractCarvedLOD, StopsBeforeAFeatureSize)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("bones.off"));
+  carver->SetLevelTargetType(vtkTopologyCarver::FEATURE_SIZE);
+  carver->AddLevelTarget(1.0);
+  carver->Update();
+  EXPECT_GT(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0), 1.0);
+  const int next = GetLevelStep(carver, 0) + 1;
+  carver->ClearLevelTargets();
+  carver->SetLevelTargetType(vtkTopologyCarver::STEP);
+  carver->AddLevelTarget(next);
+  carver->Update();
+  EXPECT_LE(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0), 1.0);
+}
+
+// A step beyond the last gives the last level and a warning.
+TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetInputData(CopyStream(carver));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  extract->SetLevelTarget(1e6);
+  extract->Update();
+  EXPECT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
+}
+
+// A grid that is no stream, or that has lost an array or some cells, is refused in one error.
+TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  auto withoutSteps = CopyStream(carver);
+  withoutSteps->GetCellData()->RemoveArray("Step");
+  auto withoutProfile = CopyStream(carver);
+  withoutProfile->GetFieldData()->RemoveArray("ProfileVertices");
+  auto wrongTurns = CopyStream(carver);
+  wrongTurns->GetCellData()->GetArray("SolidTurns")->Fill(1e6);
+  for (vtkUnstructuredGrid* grid : { withoutSteps.Get(), withoutProfile.Get(), wrongTurns.Get() })
+  {
+    vtkNew<vtkExtractCarvedLOD> extract;
+    Messages messages(extract);
+    extract->SetInputData(grid);
+    extract->Update();
+    EXPECT_EQ(messages.Errors.size(), 1u);
+    EXPECT_EQ(extract->GetOutput()->GetNumberOfCells(), 0);
+  }
+}
+
+// A changed stream is read anew.
+TEST(ExtractCarvedLOD, FollowsAChangedStream)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  auto stream = CopyStream(carver);
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(stream);
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  extract->SetLevelTarget(0);
+  extract->Update();
+  const vtkIdType before = extract->GetOutput()->GetNumberOfPolys();
+  carver->SetInputData(ReadReal("elephant.off"));
+  carver->Update();
+  stream->DeepCopy(carver->GetOutputDataObject(1));
+  extract->Update();
+  EXPECT_NE(extract->GetOutput()->GetNumberOfPolys(), before);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Whether an indexed surface is an oriented manifold, by its indices alone.
+ */
+#ifndef ManifoldCheck_h
+#define ManifoldCheck_h
+
+#include "Manifold.h"
+
+namespace checks
+{
+
+struct ManifoldFaults
+{
+  int CrowdedEdges = 0;     ///< with more than two triangles
+  int MisorientedEdges = 0; ///< which both triangles pass in the same direction
+  int SeveralFans = 0;      ///< vertices whose triangles are not one fan
+  int OpenSolidEdges = 0;   ///< of one triangle, which is no fold
+  int MovedCorners = 0;     ///< corners that are at another point than before cutting
+};
+
+ManifoldFaults FindFaults(const carving::Level<3>& level, const carving::ManifoldLevel<3>& cut);
+
+inline bool operator==(const ManifoldFaults& a, const ManifoldFaults& b)
+{
+  return a.CrowdedEdges == b.CrowdedEdges && a.MisorientedEdges == b.MisorientedEdges &&
+    a.SeveralFans == b.SeveralFans && a.OpenSolidEdges == b.OpenSolidEdges &&
+    a.MovedCorners == b.MovedCorners;
+}
+
+} // namespace checks
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "HelperRun.h"
+#include "InitialSurface.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+namespace
+{
+
+TriangleMesh BigBox()
+{
+  return models::Box({ -3, -3, -3 }, { 3, 3, 3 });
+}
+
+HelperRun RunWithin(const TriangleMesh& mesh, const TriangleMesh& initial)
+{
+  Job job;
+  job.Initial = InitialApproximation::Custom;
+  job.Mesh = mesh;
+  job.InitialMesh = initial;
+  return RunHelper(job);
+}
+
+/** Six times the volume of all tetrahedra. */
+double SixVolumeOfCells(const Tetrahedralization& mesh)
+{
+  double sum = 0.0;
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    std::vector<Triangle> faces;
+    for (int f = 0; f < 4; ++f)
+    {
+      faces.push_back(mesh.OutwardFace(static_cast<int>(cell), f));
+    }
+    sum += checks::SixVolume(mesh.Surface.Points, faces);
+  }
+  return sum;
+}
+
+} // namespace
+
+// Each check that fails is named, and no other.
+TEST(InitialSurface, NamesEachCheckThatFails)
+{
+  TriangleMesh open = BigBox();
+  open.Triangles.pop_back();
+  const TriangleMesh two =
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
+  TriangleMesh crossing = models::Sphere(1);
+  for (double& x : crossing.Points[0])
+  {
+    x *= -1.5; // through the opposite side
+  }
+  const std::pair<TriangleMesh, const char*> cases[] = { { open, "is not closed" },
+    { two, "is not one component" }, { models::Torus(1.0, 0.3, 8, 6), "is not of genus zero" },
+    { crossing, "intersects itself" }, { {}, "has no triangle" } };
+  for (const auto& [mesh, expected] : cases)
+  {
+    const std::string error = CheckInitialSurface(mesh);
+    for (const auto& [ignored, problem] : cases)
+    {
+      EXPECT_EQ(error.find(problem) != std::string::npos, problem == expected) << error;
+    }
+  }
+  EXPECT_EQ(CheckInitialSurface(BigBox()), "");
+}
+
+// The tetrahedra fill the given mesh, and M's triangles are all that constrains them.
+TEST(InitialSurface, IsFilled)
+{
+  const HelperRun run = RunWithin(models::Sphere(1), BigBox());
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 6.0 * 216.0, 1e-9);
+  EXPECT_EQ(run.Reply.Result.Surface.Facets.size(), models::Sphere(1).Triangles.size());
+}
+
+// Where it is not convex, nothing between it and its hull is filled.
+TEST(InitialSurface, NeedNotBeConvex)
+{
+  // A box with its upper side drawn in to a point.
+  TriangleMesh dented;
+  for (int i = 0; i < 8; ++i)
+  {
+    dented.Points.push_back({ i & 1 ? 3.0 : -3.0, i & 2 ? 3.0 : -3.0, i & 4 ? 3.0 : -3.0 });
+  }
+  dented.Points.push_back({ 0, 0, 1.5 });
+  dented.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 },
+    { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 }, { 4, 5, 8 }, { 5, 7, 8 }, { 7, 6, 8 },
+    { 6, 4, 8 } };
+  const HelperRun run = RunWithin(models::Sphere(1), dented);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  // The pyramid that is missing has the base 6 x 6 and the height 1.5.
+  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 6.0 * (216.0 - 36.0 * 1.5 / 3.0), 1e-9);
+}
+
+// It may touch the input; what lies on both belongs to the input.
+TEST(InitialSurface, MayTouchTheInput)
+{
+  const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const HelperRun run = RunWithin(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 }));
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 12.0, 1e-12);
+  for (const int count : run.Reply.Result.Surface.Counts)
+  {
+    EXPECT_EQ(count, 1);
+  }
+  EXPECT_EQ(run.Reply.IntersectingPairs, 0);
+}
+
+// An input that sticks out or lies outside is refused.
+TEST(InitialSurface, MustContainTheInput)
+{
+  for (const double shift : { 2.5, 10.0 })
+  {
+    const HelperRun run = RunWithin(models::Moved(models::Sphere(1), { shift, 0, 0 }), BigBox());
+    EXPECT_NE(run.Reply.Error.find("does not contain the input"), std::string::npos)
+      << run.Reply.Error;
+  }
+}

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernels.h"
+#include "ResolveContours.h"
+#include "Triangulate.h"
+
+#include <CGAL/Segment_2.h>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <sstream>
+
+using namespace carving;
+
+namespace
+{
+
+Contours Resolved(const ContourSet& given, int& meetings)
+{
+  Contours contours = Clean(AsContours(given, false));
+  EXPECT_EQ(Resolve(contours, meetings, {}), "");
+  return contours;
+}
+
+Contours Resolved(const ContourSet& given)
+{
+  int meetings = 0;
+  return Resolved(given, meetings);
+}
+
+Decomposition<2> Triangulated(
+  const ContourSet& given, InitialApproximation initial = InitialApproximation::ConvexHull)
+{
+  Decomposition<2> result;
+  EXPECT_EQ(Triangulate(Resolved(given), initial, given, result), "");
+  return result;
+}
+
+/** Four sides of a square around many segments, many of which cross. */
+ContourSet RandomSegments(unsigned int seed, int count)
+{
+  std::mt19937 random(seed);
+  ContourSet set = { { { 0, 0, 0 }, { 64, 0, 0 }, { 64, 64, 0 }, { 0, 64, 0 } },
+    { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 0 } } };
+  for (int i = 0; i < count; ++i)
+  {
+    const int first = static_cast<int>(set.Points.size());
+    for (int end = 0; end < 2; ++end)
+    {
+      // Half of them on a coarse grid, for collinear overlaps and common ends.
+      const double x = random() / 67108864.0, y = random() / 67108864.0;
+      set.Points.push_back(
+        i % 2 ? Point{ x, y, 0 } : Point{ std::floor(x / 8) * 8, std::floor(y / 8) * 8, 0 });
+    }
+    set.Edges.push_back({ first, first + 1 });
+  }
+  return set;
+}
+
+Inexact::Segment_2 SegmentOf(const Contours& contours, const std::array<int, 2>& edge)
+{
+  const Point &a = contours.Points[edge[0]], &b = contours.Points[edge[1]];
+  return { Inexact::Point_2(a[0], a[1]), Inexact::Point_2(b[0], b[1]) };
+}
+
+/** Whether two edges have more in common than an end. */
+bool Cross(const Contours& contours, const std::array<int, 2>& e, const std::array<int, 2>& f)
+{
+  const Inexact::Segment_2 s = SegmentOf(contours, e), t = SegmentOf(contours, f);
+  int common = 0;
+  for (const int end : e)
+  {
+    common += end == f[0] || end == f[1];
+  }
+  if (common == 0)
+  {
+    return CGAL::do_intersect(s, t);
+  }
+  const auto isInside = [](const Inexact::Point_2& p, const Inexact::Segment_2& segment)
+  { return segment.has_on(p) && p != segment.source() && p != segment.target(); };
+  return common == 2 || isInside(s.source(), t) || isInside(s.target(), t) ||
+    isInside(t.source(), s) || isInside(t.target(), s);
+}
+
+double Area(const Decomposition<2>& mesh)
+{
+  double sum = 0.0;
+  for (const auto& [i, j, k] : mesh.Cells)
+  {
+    const Point &a = mesh.Surface.Points[i], &b = mesh.Surface.Points[j],
+                &c = mesh.Surface.Points[k];
+    const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    EXPECT_GE(twice, 0.0);
+    sum += 0.5 * twice;
+  }
+  return sum;
+}
+
+} // namespace
+
+// Equal points are merged, edges without length and points without edges dropped.
+TEST(CleanContours, MergesPointsAndDropsEmptyEdges)
+{
+  const Contours contours =
+    Clean(AsContours({ { { 5, 5, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { -0.0, 0, 0 }, { 0, 1, 0 } },
+                       { { 1, 3 }, { 1, 2 }, { 3, 4 } } },
+      false));
+  EXPECT_EQ(contours.PointSources, (std::vector<int>{ 1, 2, 4 }));
+  EXPECT_EQ(contours.Facets, (std::vector<std::array<int, 2>>{ { 0, 1 }, { 0, 2 } }));
+  EXPECT_EQ(contours.FacetSources, (std::vector<int>{ 1, 2 }));
+}
+
+// Of merged edges the signed and the plain number are kept.
+TEST(CleanContours, CountsMergedEdges)
+{
+  const Contours contours = Clean(AsContours(
+    { { { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 1 }, { 1, 0 }, { 1, 0 }, { 1, 0 } } }, false));
+  ASSERT_EQ(contours.Facets.size(), 1u);
+  EXPECT_EQ(contours.Windings[0], -2);
+  EXPECT_EQ(contours.Counts[0], 4);
+}
+
+// A crossing gets a new point, whose third coordinate is interpolated.
+TEST(ResolveContours, SplitsACrossing)
+{
+  int meetings = 0;
+  const Contours contours = Resolved(
+    { { { 0, 0, 0 }, { 4, 4, 8 }, { 0, 2, 2 }, { 2, 0, 2 } }, { { 0, 1 }, { 2, 3 } } }, meetings);
+  EXPECT_EQ(meetings, 1);
+  EXPECT_EQ(contours.Facets.size(), 4u);
+  EXPECT_EQ(contours.Points.back(), (Point{ 1, 1, 2 }));
+  EXPECT_EQ(contours.PointSources.back(), -1);
+  EXPECT_EQ(contours.FacetSources, (std::vector<int>{ 0, 0, 1, 1 }));
+}
+
+// An end on another edge splits that edge without a new point.
+TEST(ResolveContours, SplitsAtAnEnd)
+{
+  int meetings = 0;
+  const Contours contours = Resolved(
+    { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 1, 5, 0 } }, { { 0, 1 }, { 2, 3 } } }, meetings);
+  EXPECT_EQ(meetings, 1);
+  EXPECT_EQ(contours.Points.size(), 4u);
+  EXPECT_EQ(contours.Facets.size(), 3u);
+}
+
+// Where edges overlap there is one, which counts for both.
+TEST(ResolveContours, MergesOverlaps)
+{
+  const Contours contours =
+    Resolved({ { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 } }, { { 0, 1 }, { 3, 2 } } });
+  EXPECT_EQ(contours.Counts, (std::vector<int>{ 1, 2, 1 }));
+  EXPECT_EQ(contours.Windings, (std::vector<int>{ 1, 0, 1 }));
+}
+
+// Contours without crossings stay as they are.
+TEST(ResolveContours, LeavesCleanContoursAlone)
+{
+  const ContourSet square = RandomSegments(1, 0);
+  int meetings = -1;
+  const Contours contours = Resolved(square, meetings);
+  EXPECT_EQ(meetings, 0);
+  EXPECT_EQ(contours.Points, square.Points);
+  EXPECT_EQ(contours.Facets, square.Edges);
+}
+
+// After resolving random segments no two edges have more in common than an end.
+TEST(ResolveContours, LeavesNoCrossing)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    int meetings = 0;
+    const Contours contours = Resolved(RandomSegments(seed, 30), meetings);
+    EXPECT_GT(meetings, 30);
+    for (std::size_t i = 0; i < contours.Facets.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        ASSERT_FALSE(Cross(contours, contours.Facets[i], contours.Facets[j])) << "seed " << seed;
+      }
+    }
+  }
+}
+
+// The triangles fill the hull, counter-clockwise, and every edge of M is a face of one.
+TEST(Triangulate, FillsTheHull)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    const Decomposition<2> mesh = Triangulated(RandomSegments(seed, 30));
+    EXPECT_NEAR(Area(mesh), 64.0 * 64.0, 1e-8);
+    std::map<int, int> sides;
+    for (const auto& facets : mesh.Constraints)
+    {
+      for (const int facet : facets)
+      {
+        sides[facet] += facet >= 0;
+      }
+    }
+    sides.erase(-1);
+    EXPECT_EQ(sides.size(), mesh.Surface.Facets.size());
+  }
+}
+
+// The same input gives the same bytes.
+TEST(Triangulate, IsDeterministic)
+{
+  std::string bytes[2];
+  for (std::string& result : bytes)
+  {
+    Reply reply;
+    reply.StageSeconds.assign(NumberOfStages, 0.0);
+    reply.Plane = Triangulated(RandomSegments(3, 100));
+    std::ostringstream out;
+    Write(out, reply);
+    result = out.str();
+    EXPECT_EQ(Read(result.data(), result.size(), reply), "");
+  }
+  EXPECT_EQ(bytes[0], bytes[1]);
+}
+
+// The corners of the box lie in the plane of the input.
+TEST(Triangulate, PutsTheBoxIntoThePlane)
+{
+  const Decomposition<2> mesh =
+    Triangulated({ { { 0, 0, 0 }, { 4, 0, 2 }, { 0, 3, -3 } }, { { 0, 1 }, { 1, 2 }, { 2, 0 } } },
+      InitialApproximation::BoundingBox);
+  ASSERT_EQ(mesh.Surface.Points.size(), 7u);
+  for (const Point& p : mesh.Surface.Points)
+  {
+    EXPECT_NEAR(p[2], 0.5 * p[0] - p[1], 1e-12);
+  }
+  EXPECT_NEAR(Area(mesh), 4.1 * 3.1, 1e-12); // the diagonal is 5
+}
+
+// No edge, or all on one line: said in a sentence.
+TEST(Triangulate, SaysThatThereIsNothing)
+{
+  const ContourSet nothing = { { { 1, 1, 1 } }, { { 0, 0 } } };
+  const ContourSet line = { { { 0, 0, 0 }, { 1, 1, 0 } }, { { 0, 1 } } };
+  Decomposition<2> result;
+  const auto initial = InitialApproximation::ConvexHull;
+  EXPECT_NE(
+    Triangulate(Resolved(nothing), initial, nothing, result).find("No edge"), std::string::npos);
+  EXPECT_NE(Triangulate(Resolved(line), initial, line, result).find("one line"), std::string::npos);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Solids given by a function that is negative inside.
+ */
+#ifndef Implicit_h
+#define Implicit_h
+
+#include "Mesh.h"
+
+#include <array>
+#include <functional>
+
+namespace models
+{
+
+using carving::TriangleMesh;
+
+using Implicit = std::function<double(const carving::Point&)>;
+
+/**
+ * The surface where `solid` is zero, from its values at the nodes of a grid: closed, manifold, oriented
+ * outward and without crossings, as long as no node on the border of the grid is inside.
+ */
+TriangleMesh Isosurface(const Implicit& solid, const carving::Point& lower,
+  const carving::Point& upper, const std::array<int, 3>& cells);
+
+/** The smaller (the larger) of two values, rounded off where they differ by less than `width`. */
+double SmoothMin(double a, double b, double width);
+double SmoothMax(double a, double b, double width);
+
+/** The distance of p from the segment between a and b. */
+double SegmentDistance(const carving::Point& p, const carving::Point& a, const carving::Point& b);
+
+} // namespace models
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Limbs are what a tree is made of. They keep out of each other's way.
+ */
+#ifndef Limb_h
+#define Limb_h
+
+#include "Mesh.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace models
+{
+
+/** A bent tube: a path and the radius at each of its points. */
+struct Limb
+{
+  std::vector<carving::Point> Path;
+  std::vector<double> Radii;
+
+  /** The place, the direction and the radius at a fraction of the path, 0 to 1. */
+  carving::Point At(double fraction) const;
+  carving::Point DirectionAt(double fraction) const;
+  double RadiusAt(double fraction) const;
+
+  /** Adds a closed solid with `sides` points around the path, which must not bend much. */
+  void AddTo(carving::TriangleMesh& mesh, int sides) const;
+};
+
+/** Space that limbs have claimed: balls around their paths, found by the cells of a grid they reach. */
+class ClaimedSpace
+{
+public:
+  explicit ClaimedSpace(double cellSize);
+
+  /** Claims the space of a limb and returns true, unless some of it is another's already. */
+  bool Claim(const Limb& limb);
+
+private:
+  struct Ball
+  {
+    carving::Point Center;
+    double Radius;
+  };
+
+  static std::vector<Ball> Cover(const Limb& limb);
+  std::vector<long long> Cells(const Ball& ball) const;
+  bool IsFree(const Ball& ball) const;
+
+  double CellSize;
+  std::unordered_map<long long, std::vector<Ball>> Balls;
+};
+
+} // namespace models
+
+#endif

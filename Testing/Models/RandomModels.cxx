@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RandomModels.h"
+
+#include "PointMath.h"
+#include "Shapes.h"
+
+namespace models
+{
+namespace
+{
+
+/** A random rotation, as the images of the axes. */
+std::array<Point, 3> RandomRotation(std::mt19937_64& random)
+{
+  std::normal_distribution<double> normal;
+  const auto direction = [&] {
+    return Normalized({ normal(random), normal(random), normal(random) });
+  };
+  const Point x = direction();
+  const Point z = Normalized(carving::Cross(x, direction()));
+  return { x, carving::Cross(z, x), z };
+}
+
+TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
+{
+  const auto integer = [&](int lower, int upper)
+  { return std::uniform_int_distribution<int>(lower, upper)(random); };
+  std::uniform_real_distribution<double> unit;
+  closed = true;
+  switch (integer(0, 5))
+  {
+    case 0:
+      return Tetrahedron();
+    case 1:
+      return Box({ 0, 0, 0 }, { 0.2 + unit(random), 0.2 + unit(random), 0.2 + unit(random) });
+    case 2:
+      return Sphere(integer(0, 2));
+    case 3:
+      return Torus(1.0, 0.2 + 0.5 * unit(random), integer(5, 14), integer(4, 9));
+    default:
+    {
+      closed = false;
+      TriangleMesh sheet = Sheet(integer(1, 5));
+      for (Point& p : sheet.Points)
+      {
+        p[2] += 0.3 * unit(random);
+      }
+      return sheet;
+    }
+  }
+}
+
+} // namespace
+
+TriangleMesh Soup(int n, std::mt19937_64& random)
+{
+  std::uniform_int_distribution<int> coordinate(0, 10);
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int x = coordinate(random), y = coordinate(random), z = coordinate(random);
+      mesh.Points.push_back({ double(x), double(y), double(z) });
+    }
+    mesh.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return mesh;
+}
+
+RandomModel MakeRandom(std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> unit;
+  RandomModel model;
+  const int parts = std::uniform_int_distribution<int>(1, 4)(random);
+  for (int i = 0; i < parts; ++i)
+  {
+    bool closed = true;
+    TriangleMesh part = RandomPart(random, closed);
+    if (closed && unit(random) < 0.2)
+    {
+      part = Flipped(part);
+    }
+    const std::array<Point, 3> axes = RandomRotation(random);
+    const double scale = 0.3 + 0.7 * unit(random);
+    const Point center = { 2 * unit(random), 2 * unit(random), 2 * unit(random) };
+    for (Point& p : part.Points)
+    {
+      p = { scale * carving::Dot(axes[0], p) + center[0],
+        scale * carving::Dot(axes[1], p) + center[1],
+        scale * carving::Dot(axes[2], p) + center[2] };
+    }
+    model.Closed = model.Closed && closed;
+    model.Mesh = Joined(model.Mesh, part);
+  }
+  return model;
+}
+
+} // namespace models

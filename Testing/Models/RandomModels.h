@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Random meshes, for tests of what holds for any mesh.
+ */
+#ifndef RandomModels_h
+#define RandomModels_h
+
+#include "Mesh.h"
+
+#include <random>
+
+namespace models
+{
+
+using carving::TriangleMesh;
+
+/** `n` triangles with random corners in a cube: most of them cross others. */
+TriangleMesh Soup(int n, std::mt19937_64& random);
+
+/** A random mesh and what is known about it. */
+struct RandomModel
+{
+  TriangleMesh Mesh;
+  bool Closed = true; ///< every part is a closed solid
+};
+
+/**
+ * One to four parts, each drawn from all shapes and placed, turned and scaled at random so that
+ * some overlap, some solids inside out.
+ */
+RandomModel MakeRandom(std::mt19937_64& random);
+
+} // namespace models
+
+#endif

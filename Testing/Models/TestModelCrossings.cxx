@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Figures.h"
+#include "Intersections.h"
+
+#include <gtest/gtest.h>
+
+using namespace models;
+
+// No two triangles of a figure meet other than in shared vertices and edges.
+TEST(FigureModels, DoNotCrossThemselves)
+{
+  for (const TriangleMesh& mesh :
+    { TwoSpheres(), EightSpheres(), YuccaLeaves(), Scone(), Ribs(), Tree(300), Tree() })
+  {
+    EXPECT_TRUE(FindIntersections(mesh.Points, mesh.Triangles).empty());
+  }
+}

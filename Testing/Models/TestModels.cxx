@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The models are what their headers say. Topology is counted from scratch, simplex by simplex.
+ */
+#include "Figures.h"
+#include "Implicit.h"
+#include "PointMath.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+using carving::Triangle;
+using namespace models;
+
+namespace
+{
+
+/** The parts of a mesh that have no point in common. */
+std::vector<TriangleMesh> Components(const TriangleMesh& mesh)
+{
+  std::vector<int> parent(mesh.Points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&](int i)
+  {
+    while (parent[i] != i)
+    {
+      i = parent[i] = parent[parent[i]];
+    }
+    return i;
+  };
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    parent[root(a)] = root(b);
+    parent[root(b)] = root(c);
+  }
+  std::map<int, TriangleMesh> components;
+  std::vector<int> renumbered(mesh.Points.size());
+  for (int i = 0; i < static_cast<int>(parent.size()); ++i)
+  {
+    std::vector<Point>& points = components[root(i)].Points;
+    renumbered[i] = static_cast<int>(points.size());
+    points.push_back(mesh.Points[i]);
+  }
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    components[root(a)].Triangles.push_back({ renumbered[a], renumbered[b], renumbered[c] });
+  }
+  std::vector<TriangleMesh> result;
+  for (const auto& [first, component] : components)
+  {
+    result.push_back(component);
+  }
+  return result;
+}
+
+int EulerCharacteristic(const TriangleMesh& mesh)
+{
+  std::set<std::pair<int, int>> edges;
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      edges.insert(std::minmax(t[i], t[(i + 1) % 3]));
+    }
+  }
+  return static_cast<int>(mesh.Points.size() + mesh.Triangles.size()) -
+    static_cast<int>(edges.size());
+}
+
+double SixVolume(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    sum += carving::Dot(mesh.Points[a], carving::Cross(mesh.Points[b], mesh.Points[c]));
+  }
+  return sum;
+}
+
+/** Whether the triangles around every point make one cycle, and enclose a volume. */
+bool IsSolid(const TriangleMesh& mesh)
+{
+  std::map<std::pair<int, int>, int> next; // around a point, the point that follows another one
+  std::vector<int> degrees(mesh.Points.size(), 0), neighbors(mesh.Points.size(), -1);
+  for (const Triangle& t : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+      if (!next.emplace(std::make_pair(a, b), c).second)
+      {
+        return false;
+      }
+      ++degrees[a];
+      neighbors[a] = b;
+    }
+  }
+  for (int i = 0; i < static_cast<int>(degrees.size()); ++i)
+  {
+    int at = neighbors[i], steps = 0;
+    for (; const auto step = next.extract({ i, at }); ++steps)
+    {
+      at = step.mapped();
+    }
+    if (steps != degrees[i] || at != neighbors[i])
+    {
+      return false;
+    }
+  }
+  return SixVolume(mesh) > 0.0;
+}
+
+void ExpectSolids(const TriangleMesh& mesh, std::size_t number, int genus)
+{
+  const std::vector<TriangleMesh> solids = Components(mesh);
+  EXPECT_EQ(solids.size(), number);
+  for (const TriangleMesh& solid : solids)
+  {
+    EXPECT_TRUE(IsSolid(solid));
+    EXPECT_EQ(EulerCharacteristic(solid), 2 - 2 * genus);
+  }
+}
+
+std::vector<TriangleMesh> AllFigures()
+{
+  return { TwoSpheres(), EightSpheres(), YuccaLeaves(), Scone(), Ribs(), Tree() };
+}
+
+} // namespace
+
+// An isosurface bounds about the volume where the function is negative.
+TEST(Implicit, IsosurfaceOfABall)
+{
+  const TriangleMesh ball = Isosurface([](const Point& p) { return carving::Length(p) - 1.0; },
+    { -1.2, -1.3, -1.4 }, { 1.4, 1.3, 1.2 }, { 20, 22, 24 });
+  ExpectSolids(ball, 1, 0);
+  EXPECT_NEAR(SixVolume(ball) / 6.0, 4.0 / 3.0 * Pi, 0.1);
+}
+
+// Rounding off fills the corner where two values are equal, and only near it.
+TEST(Implicit, SmoothMinAndMax)
+{
+  EXPECT_DOUBLE_EQ(SmoothMin(1.0, 1.0, 0.4), 0.9);
+  EXPECT_DOUBLE_EQ(SmoothMax(1.0, 1.0, 0.4), 1.1);
+  EXPECT_DOUBLE_EQ(SmoothMin(1.0, 1.5, 0.4), 1.0);
+  EXPECT_DOUBLE_EQ(SmoothMax(1.0, 1.5, 0.4), 1.5);
+}
+
+// The solids of the figures are closed, manifold, oriented outward and of the stated genus.
+TEST(FigureModels, Solids)
+{
+  ExpectSolids(TwoSpheres(), 2, 0);
+  ExpectSolids(EightSpheres(), 8, 0);
+  ExpectSolids(Scone(), 1, SconeGenus);
+  ExpectSolids(Ribs(), 1, RibsGenus);
+}
+
+// The yucca has 25 leaves, each an open disk, and about the points and triangles of Table 1.
+TEST(FigureModels, YuccaLeaves)
+{
+  const TriangleMesh mesh = YuccaLeaves();
+  EXPECT_EQ(mesh.Points.size(), 800u);
+  EXPECT_EQ(mesh.Triangles.size(), 1200u);
+  const std::vector<TriangleMesh> leaves = Components(mesh);
+  EXPECT_EQ(leaves.size(), 25u);
+  for (const TriangleMesh& leaf : leaves)
+  {
+    EXPECT_EQ(EulerCharacteristic(leaf), 1);
+    EXPECT_FALSE(IsSolid(leaf));
+  }
+}
+
+// All of a tree that is not a leaf of two triangles is a solid of genus 0.
+TEST(FigureModels, Tree)
+{
+  for (const int leaves : { 1, 300, 19500 })
+  {
+    int found = 0;
+    for (const TriangleMesh& part : Components(Tree(leaves)))
+    {
+      const bool isLeaf = part.Triangles.size() == 2;
+      found += isLeaf;
+      EXPECT_EQ(EulerCharacteristic(part), isLeaf ? 1 : 2);
+      EXPECT_EQ(IsSolid(part), !isLeaf);
+    }
+    EXPECT_EQ(found, leaves);
+  }
+  EXPECT_GE(Tree().Triangles.size(), 60000u);
+}
+
+// No point of a figure is there twice or unused.
+TEST(FigureModels, PointsAreDistinctAndUsed)
+{
+  for (const TriangleMesh& mesh : AllFigures())
+  {
+    EXPECT_EQ(std::set<Point>(mesh.Points.begin(), mesh.Points.end()).size(), mesh.Points.size());
+    std::set<int> used;
+    for (const Triangle& t : mesh.Triangles)
+    {
+      used.insert(t.begin(), t.end());
+    }
+    EXPECT_EQ(used.size(), mesh.Points.size());
+  }
+}
+
+// Every call makes the same mesh.
+TEST(FigureModels, AreTheSameEveryTime)
+{
+  const std::vector<TriangleMesh> first = AllFigures(), second = AllFigures();
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    EXPECT_EQ(first[i].Points, second[i].Points);
+    EXPECT_EQ(first[i].Triangles, second[i].Triangles);
+  }
+}

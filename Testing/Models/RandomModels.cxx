@@ -21,13 +21,21 @@ std::array<Point, 3> RandomRotation(std::mt19937_64& random)
   return { x, carving::Cross(z, x), z };
 }
 
+/** Two boxes that share a side, an edge or a corner, or one of them twice. */
+TriangleMesh GluedBoxes(int shared)
+{
+  const Point shift = { shared > 0 ? 1.0 : 0.0, shared > 1 ? 1.0 : 0.0, shared > 2 ? 1.0 : 0.0 };
+  const TriangleMesh box = Box({ 0, 0, 0 }, { 1, 1, 1 });
+  return Joined(box, Moved(box, shift));
+}
+
 TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
 {
   const auto integer = [&](int lower, int upper)
   { return std::uniform_int_distribution<int>(lower, upper)(random); };
   std::uniform_real_distribution<double> unit;
   closed = true;
-  switch (integer(0, 5))
+  switch (integer(0, 7))
   {
     case 0:
       return Tetrahedron();
@@ -37,6 +45,10 @@ TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
       return Sphere(integer(0, 2));
     case 3:
       return Torus(1.0, 0.2 + 0.5 * unit(random), integer(5, 14), integer(4, 9));
+    case 4:
+      return GluedBoxes(integer(0, 3));
+    case 5:
+      return Joined(Sphere(1), Flipped(Moved(Sphere(integer(0, 1)), {}, 0.4))); // with a void
     default:
     {
       closed = false;

@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 using namespace carving;
 
@@ -290,20 +291,59 @@ int NumberOfRandomMeshes()
 /** Every property of a carving, drawn at random. */
 struct RandomOptions
 {
+  /** How many values each property has, and the one that was drawn. */
+  static constexpr std::array<int, 6> Counts = { 3, 3, 4, 3, 3, 2 };
+  std::array<int, 6> Drawn;
+
   explicit RandomOptions(std::mt19937_64& random)
   {
-    const auto one = [&](int count) { return static_cast<int>(random() % count); };
-    this->Initial = static_cast<InitialApproximation>(one(2));
-    this->Rule = static_cast<SolidRule>(one(3));
-    this->Carve.Measure = static_cast<PriorityMeasure>(one(4));
-    this->Carve.DepthExponent = one(3);
-    this->Carve.BreadthRadius = 0.2 * one(3);
-    this->Carve.CarveExposed = one(2) == 0;
+    for (std::size_t i = 0; i < Counts.size(); ++i)
+    {
+      this->Drawn[i] = static_cast<int>(random() % Counts[i]);
+    }
+    this->Initial = static_cast<InitialApproximation>(this->Drawn[0]);
+    this->Rule = static_cast<SolidRule>(this->Drawn[1]);
+    this->Carve.Measure = static_cast<PriorityMeasure>(this->Drawn[2]);
+    this->Carve.DepthExponent = this->Drawn[3];
+    this->Carve.BreadthRadius = 0.2 * this->Drawn[4];
+    this->Carve.CarveExposed = this->Drawn[5] == 0;
   }
 
   InitialApproximation Initial;
   SolidRule Rule;
   CarveOptions Carve;
+};
+
+/** Which pairs of values of two properties have been tried. */
+class TriedPairs
+{
+public:
+  void Add(const RandomOptions& options)
+  {
+    for (std::size_t i = 0; i < options.Drawn.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        this->Pairs.insert({ i, options.Drawn[i], j, options.Drawn[j] });
+      }
+    }
+  }
+
+  bool AreAll() const
+  {
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < RandomOptions::Counts.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        all += RandomOptions::Counts[i] * RandomOptions::Counts[j];
+      }
+    }
+    return this->Pairs.size() == all;
+  }
+
+private:
+  std::set<std::tuple<std::size_t, int, std::size_t, int>> Pairs;
 };
 
 /** A reply without the seconds, which differ from run to run. */
@@ -328,6 +368,7 @@ TEST(Properties, HoldOnRandomMeshes)
 {
   std::mt19937_64 random(20061121);
   int refused = 0;
+  TriedPairs pairs;
   const int count = NumberOfRandomMeshes();
   for (int i = 0; i - refused < count && !testing::Test::HasFailure(); ++i)
   {
@@ -337,6 +378,7 @@ TEST(Properties, HoldOnRandomMeshes)
     Job job;
     job.Initial = options.Initial;
     job.Mesh = model.Mesh;
+    job.InitialMesh = models::Moved(models::Sphere(2), { 1, 1, 1 }, 6.0);
     const HelperRun run = RunHelper(job);
     if (!run.Succeeded())
     {
@@ -346,6 +388,7 @@ TEST(Properties, HoldOnRandomMeshes)
       ASSERT_LE(refused, 1 + count / 50);
       continue;
     }
+    pairs.Add(options);
     const Carved carved = CarveResult(run.Reply.Result, options.Carve, options.Rule);
     ExpectProperties(model.Mesh, carved, 6, 20);
     if (model.Closed && options.Rule == SolidRule::NonzeroWinding)

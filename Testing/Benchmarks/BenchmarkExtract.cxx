@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How long a level takes from a stored stream of about 150,000 tetrahedra.
+ */
+#include "Figures.h"
+#include "vtkCellArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTopologyCarver.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <benchmark/benchmark.h>
+
+namespace
+{
+
+/** The stream of a tree, as from a file. */
+vtkUnstructuredGrid* GetStream()
+{
+  static const vtkSmartPointer<vtkUnstructuredGrid> stream = []
+  {
+    const carving::TriangleMesh tree = models::Tree(4800);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const carving::Point& p : tree.Points)
+    {
+      points->InsertNextPoint(p.data());
+    }
+    vtkNew<vtkCellArray> triangles;
+    for (const auto& [a, b, c] : tree.Triangles)
+    {
+      triangles->InsertNextCell({ a, b, c });
+    }
+    vtkNew<vtkPolyData> mesh;
+    mesh->SetPoints(points);
+    mesh->SetPolys(triangles);
+    vtkNew<vtkTopologyCarver> carver;
+    carver->SetInputData(mesh);
+    carver->Update();
+    auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    copy->DeepCopy(carver->GetOutputDataObject(1));
+    return copy;
+  }();
+  return stream;
+}
+
+/** Another level each time, so that nothing is reused; `range(0)`: whether it is cut. */
+void ExtractLevel(benchmark::State& state)
+{
+  vtkUnstructuredGrid* stream = GetStream();
+  const int steps = static_cast<int>(
+    stream->GetFieldData()->GetAbstractArray("ProfileVertices")->GetNumberOfTuples());
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(stream);
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  extract->SetManifoldOutput(state.range(0) != 0);
+  extract->Update(); // prepares the stream
+  int i = 0;
+  for (auto _ : state)
+  {
+    extract->SetLevelTarget((i++ * 37) % steps);
+    extract->Update();
+  }
+  state.counters["cells"] = static_cast<double>(stream->GetNumberOfCells());
+}
+
+/** The finest level, which has the most triangles. */
+void ExtractLastLevel(benchmark::State& state)
+{
+  vtkUnstructuredGrid* stream = GetStream();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(stream);
+  extract->SetLevelTarget(1e9);
+  for (auto _ : state)
+  {
+    extract->Modified();
+    extract->Update();
+  }
+  state.counters["triangles"] = static_cast<double>(extract->GetOutput()->GetNumberOfPolys());
+}
+
+/** What the first request costs on top. */
+void PrepareStream(benchmark::State& state)
+{
+  vtkUnstructuredGrid* stream = GetStream();
+  for (auto _ : state)
+  {
+    vtkNew<vtkExtractCarvedLOD> extract;
+    extract->SetInputData(stream);
+    extract->Update();
+  }
+}
+
+} // namespace
+
+BENCHMARK(ExtractLevel)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(ExtractLastLevel)->Unit(benchmark::kMillisecond);
+BENCHMARK(PrepareStream)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Depth and breadth do what section 5 says of them. The measure of snaking and spiking is the share of a
+ * level's vertices that lie deep below the initial approximation, at half of the vertices.
+ */
+#include "Contours.h"
+#include "Figures.h"
+#include "HelperRun.h"
+#include "Level.h"
+#include "LevelSelection.h"
+#include "Priority.h"
+#include "Profile.h"
+#include "Vector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace carving;
+
+namespace
+{
+
+/** Normal, not of unit length, of a face: out of the plane z = 0 in the plane. */
+Point Normal(const std::vector<Point>& p, const Triangle& t)
+{
+  return Cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+}
+
+Point Normal(const std::vector<Point>& p, const std::array<int, 2>& e)
+{
+  return Cross(p[e[1]] - p[e[0]], { 0.0, 0.0, 1.0 });
+}
+
+/** Per point its distance from the surface of the convex hull. */
+template <int D>
+std::vector<double> Depths(const Decomposition<D>& mesh)
+{
+  const std::vector<Point>& points = mesh.Surface.Points;
+  std::vector<double> depths(points.size(), HUGE_VAL);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    for (int f = 0; f <= D; ++f)
+    {
+      if (mesh.Neighbors[cell][f] >= 0)
+      {
+        continue;
+      }
+      const auto face = mesh.OutwardFace(cell, f);
+      const Point normal = Normal(points, face);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        depths[i] =
+          std::min(depths[i], std::abs(Dot(normal, points[i] - points[face[0]])) / Length(normal));
+      }
+    }
+  }
+  return depths;
+}
+
+/** At half of the vertices, the share of those that are more than half as deep as the deepest. */
+template <int D>
+double ShareOfDeepVertices(const Decomposition<D>& mesh, double depthExponent, double breadthRadius)
+{
+  CarveOptions options;
+  options.DepthExponent = depthExponent;
+  options.BreadthRadius = breadthRadius;
+  const Classification regions = Classify(mesh);
+  Stream order;
+  Carve(mesh, regions, options, order);
+  const StoredStream<D> stream = Store(mesh, regions, order);
+  const Profile profile = ComputeProfile(stream);
+  const double half = (profile.Vertices.front() + profile.Vertices.back()) / 2.0;
+  const Level<D> level =
+    ExtractLevel(stream, SelectStep(profile, LevelTarget::Vertices, half).Step);
+  std::set<int> vertices;
+  for (const FaceLife<D>& face : level.Faces)
+  {
+    vertices.insert(face.Corners.begin(), face.Corners.end());
+  }
+  const std::vector<double> depths = Depths(mesh);
+  const double deep = *std::max_element(depths.begin(), depths.end()) / 2.0;
+  return static_cast<double>(std::count_if(
+           vertices.begin(), vertices.end(), [&](int vertex) { return depths[vertex] > deep; })) /
+    vertices.size();
+}
+
+Decomposition<3> Tetrahedralize(const TriangleMesh& mesh)
+{
+  const HelperRun run = RunHelper(mesh);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  return run.Reply.Result;
+}
+
+Decomposition<2> TriangulateContour(const models::ContourModel& contour)
+{
+  Job job;
+  job.Kind = JobKind::Triangulate;
+  job.Contours = { contour.Points, contour.Edges };
+  const HelperRun run = RunHelper(job);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  return run.Reply.Plane;
+}
+
+} // namespace
+
+// Figure 9: in the plane, depth keeps carving from digging out narrow pockets first.
+TEST(CarvingStyle, DepthKeepsFromSnakingInThePlane)
+{
+  const Decomposition<2> mesh = TriangulateContour(models::SnakingContour());
+  EXPECT_LT(ShareOfDeepVertices(mesh, 2.0, 0.0), ShareOfDeepVertices(mesh, 0.0, 0.0));
+}
+
+// Figure 11: between leaves, breadth and depth keep carving from spiking.
+TEST(CarvingStyle, BreadthAndDepthKeepFromSpikingBetweenLeaves)
+{
+  const Decomposition<3> mesh = Tetrahedralize(models::YuccaLeaves());
+  const double breadth = 0.05 * Diagonal(mesh.Surface.Points);
+  const double plain = ShareOfDeepVertices(mesh, 0.0, 0.0);
+  EXPECT_LT(ShareOfDeepVertices(mesh, 0.0, breadth), plain);
+  EXPECT_LT(ShareOfDeepVertices(mesh, 2.0, 0.0), plain);
+}

@@ -60,9 +60,14 @@ def make_actor(level):
     return actor
 
 
-def make_caption(level):
+def level_text(level):
+    vertices = level.GetFieldData().GetArray("Vertices").GetValue(0)  # without the copies of cutting
+    return f"{vertices:,} vertices, {level.GetNumberOfPolys():,} triangles"
+
+
+def make_caption(text):
     caption = vtkTextActor()
-    caption.SetInput(f"{level.GetNumberOfPoints():,} vertices, {level.GetNumberOfPolys():,} triangles")
+    caption.SetInput(text)
     caption.GetTextProperty().SetFontSize(17)
     caption.GetTextProperty().SetColor(0.1, 0.1, 0.1)
     caption.GetTextProperty().SetJustificationToCentered()
@@ -92,7 +97,7 @@ def place_camera(renderer, bounds, view, up):
     camera.Zoom(1.1)  # leaves room for the caption
 
 
-def render(levels, columns, view, up):
+def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level: [make_actor(level)]):
     rows = -(-len(levels) // columns)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -105,12 +110,23 @@ def render(levels, columns, view, up):
         renderer = vtkRenderer()
         renderer.SetViewport(column / columns, row / rows, (column + 1) / columns, (row + 1) / rows)
         renderer.SetBackground(1, 1, 1)
-        renderer.AddActor(make_actor(level))
-        renderer.AddViewProp(make_caption(level))
+        for actor in actors_of(level):
+            renderer.AddActor(actor)
+        renderer.AddViewProp(make_caption(text_of(level)))
         window.AddRenderer(renderer)
         place_camera(renderer, bounds, view or automatic[0], up or automatic[1])
     window.Render()
     return window
+
+
+def write_picture(window, path):
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
 
 
 def main():
@@ -126,13 +142,7 @@ def main():
     if not levels:
         parser.error(f"there is no level in {arguments.levels}")
     window = render(levels, min(arguments.columns, len(levels)), arguments.view, arguments.up)
-    grab = vtkWindowToImageFilter()
-    grab.SetInput(window)
-    grab.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(arguments.picture)
-    writer.SetInputConnection(grab.GetOutputPort())
-    writer.Write()
+    write_picture(window, arguments.picture)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# usage: bash Examples/gallery.sh [FOLDER]
+#
+# Installs what is needed, builds, makes models like those of the paper's figures, fetches meshes from a
+# Debian package, and renders their levels and a table of running times into FOLDER/index.html (by
+# default build/gallery).
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
+
+[ $# -le 1 ] || die "usage: bash Examples/gallery.sh [FOLDER]"
+require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
+# The models belong to the tests.
+build gallery-build -DBUILD_TESTING=ON
+
+folder=${1:-$build_root/gallery}
+models=$build_root/meshes/models
+program=$build_root/gallery-build
+mkdir -p "$folder" "$models"
+
+say "Making models"
+for name in $("$program/bin/carving-model" --list); do
+  case $name in
+    carved-figure | snaking-contour) extension=vtk ;;
+    *) extension=off ;;
+  esac
+  "$program/bin/carving-model" "$name" "$models/$name.$extension"
+done
+meshes=()
+for name in bones.off elephant.off; do
+  meshes+=("$(cgal_mesh "$name")")
+done
+
+say "Rendering"
+PYTHONPATH=$program/lib/python3/dist-packages \
+  xvfb-run -a /usr/bin/python3 "$root/Examples/Python/gallery.py" \
+  --models "$models" --output "$folder" "${meshes[@]}"
+
+say "Done"
+printf 'gallery   %s\n' "$folder/index.html"

@@ -80,8 +80,40 @@ double Interpolate(const Point& a, const Point& b, const Point& place)
   return a[2] == b[2] ? a[2] : (1.0 - t) * a[2] + t * b[2];
 }
 
+/** Whether a few roundings can lead from one place to the other. */
+bool AreNear(const Point& a, const Point& b)
+{
+  constexpr double share = 1e-14;
+  const double distance = std::max(std::abs(a[0] - b[0]), std::abs(a[1] - b[1]));
+  return distance <= share * std::max(std::abs(a[0]), std::abs(a[1]));
+}
+
+/** The new point that a vertex on an edge is; with `snap` an old one next to it, if that is near. */
+int AddPoint(const Contours& contours, std::size_t edge, const PlaneTriangulation& triangulation,
+  Vertex vertex, bool snap, Contours& result)
+{
+  const auto& exact = vertex->point();
+  Point place = { CGAL::to_double(CGAL::exact(exact.x())), CGAL::to_double(CGAL::exact(exact.y())),
+    0.0 };
+  auto neighbor = triangulation.incident_vertices(vertex);
+  const auto first = neighbor;
+  do
+  {
+    const int index = triangulation.is_infinite(neighbor) ? -1 : neighbor->info().Value;
+    if (snap && index >= 0 && AreNear(place, result.Points[index]))
+    {
+      return index;
+    }
+  } while (++neighbor != first);
+  const auto& [from, to] = contours.Facets[edge];
+  place[2] = Interpolate(contours.Points[from], contours.Points[to], place);
+  result.Points.push_back(place);
+  result.PointSources.push_back(-1);
+  return static_cast<int>(result.Points.size()) - 1;
+}
+
 /** One round: the edges in pieces. Returns the number of places at which any had to be split. */
-int Split(const Contours& contours, Contours& result, const Progress& progress)
+int Split(const Contours& contours, bool snap, Contours& result, const Progress& progress)
 {
   PlaneTriangulation triangulation;
   const std::vector<Vertex> vertices = InsertPoints(contours.Points, triangulation);
@@ -97,23 +129,14 @@ int Split(const Contours& contours, Contours& result, const Progress& progress)
   std::vector<int> meetings;
   for (std::size_t i = 0; i < constraints.size(); ++i)
   {
-    const auto begin = triangulation.vertices_in_constraint_begin(constraints[i]);
     const auto end = triangulation.vertices_in_constraint_end(constraints[i]);
     std::vector<int> chain;
-    for (auto vertex = begin; vertex != end; ++vertex)
+    for (auto vertex = triangulation.vertices_in_constraint_begin(constraints[i]); vertex != end;
+         ++vertex)
     {
       PointIndex& index = (*vertex)->info();
-      if (index.Value < 0)
-      {
-        const auto& exact = (*vertex)->point();
-        Point place = { CGAL::to_double(CGAL::exact(exact.x())),
-          CGAL::to_double(CGAL::exact(exact.y())), 0.0 };
-        const auto& [from, to] = contours.Facets[i];
-        place[2] = Interpolate(contours.Points[from], contours.Points[to], place);
-        index.Value = static_cast<int>(result.Points.size());
-        result.Points.push_back(place);
-        result.PointSources.push_back(-1);
-      }
+      index.Value =
+        index.Value < 0 ? AddPoint(contours, i, triangulation, *vertex, snap, result) : index.Value;
       chain.push_back(index.Value);
     }
     if (chain.front() != contours.Facets[i][0])
@@ -232,10 +255,13 @@ std::string Resolve(Contours& contours, int& meetings, const Progress& progress)
 {
   // Nearly all contours are clean after one round; the limit ends those that rounding keeps dirty.
   constexpr int maximumRounds = 10;
+  // Edges that nearly coincide meet anew next to every point that is rounded, without end: then
+  // points that only rounding has moved apart become one.
+  constexpr int exactRounds = 3;
   for (int round = 0; round <= maximumRounds; ++round)
   {
     Contours pieces;
-    const int found = Split(contours, pieces, progress);
+    const int found = Split(contours, round >= exactRounds, pieces, progress);
     meetings = round == 0 ? found : meetings;
     if (found == 0)
     {

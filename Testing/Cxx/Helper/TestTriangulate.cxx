@@ -183,6 +183,30 @@ TEST(ResolveContours, LeavesNoCrossing)
   }
 }
 
+// Edges that overlap but for rounding, as on a rotated grid, are resolved too.
+TEST(ResolveContours, ResolvesNearlyCollinearEdges)
+{
+  for (unsigned int seed = 0; seed < 20; ++seed)
+  {
+    std::mt19937 random(seed);
+    ContourSet set;
+    for (int i = 0; i < 40; ++i)
+    {
+      const double x = random() % 6, y = random() % 6;
+      set.Points.push_back({ 100 + 0.8 * x - 0.3 * y, 100 + 0.1 * x + 0.7 * y, 0 });
+      set.Edges.push_back({ i, (i + 1) % 40 });
+    }
+    const Contours contours = Resolved(set);
+    for (std::size_t i = 0; i < contours.Facets.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        ASSERT_FALSE(Cross(contours, contours.Facets[i], contours.Facets[j])) << "seed " << seed;
+      }
+    }
+  }
+}
+
 // The triangles fill the hull, counter-clockwise, and every edge of M is a face of one.
 TEST(Triangulate, FillsTheHull)
 {

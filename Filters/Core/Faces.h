@@ -40,15 +40,17 @@ int StepAt(const StoredStream<D>& stream, int halfFace)
  * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation, first those of the
  * carved surface, then those of M. A face of the carved surface shows while it has the exterior on one
  * side only; a facet of M from the moment it has it on any side, and it changes into a fold when it has
- * it on both.
+ * it on both. Faces that show on none of C_first to
+ * C_last are passed over.
  */
 template <int D, class Visitor>
-void ForEachFace(const StoredStream<D>& stream, Visitor&& visit)
+void ForEachFace(
+  const StoredStream<D>& stream, Visitor&& visit, int first = 0, int last = Stream::Never)
 {
   const Decomposition<D>& mesh = stream.Mesh;
   const auto visitIfItShows = [&](const FaceLife<D>& face)
   {
-    if (face.Birth < face.Death)
+    if (face.Birth < face.Death && face.Birth <= last && face.Death > first)
     {
       visit(face);
     }
@@ -65,7 +67,7 @@ void ForEachFace(const StoredStream<D>& stream, Visitor&& visit)
       }
       const int here = stream.Order.Step[cell];
       const int there = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
-      if (here == there)
+      if (here == there || std::min(here, there) > last || std::max(here, there) <= first)
       {
         continue;
       }
@@ -83,19 +85,20 @@ void ForEachFace(const StoredStream<D>& stream, Visitor&& visit)
     const auto [behind, inFront] = stream.Sides[facet];
     const int stepBehind = StepAt(stream, behind);
     const int stepInFront = StepAt(stream, inFront);
-    const auto [first, second] = std::minmax(stepBehind, stepInFront);
+    const int birth = std::min(stepBehind, stepInFront);
+    const int fold = std::max(stepBehind, stepInFront);
     if (stepInFront <= stepBehind)
     {
-      visitIfItShows({ corners, facet, behind, inFront, false, first, second });
+      visitIfItShows({ corners, facet, behind, inFront, false, birth, fold });
     }
     else
     {
-      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, false, first, second });
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, false, birth, fold });
     }
-    visitIfItShows({ corners, facet, behind, inFront, true, second, Stream::Never });
+    visitIfItShows({ corners, facet, behind, inFront, true, fold, Stream::Never });
     if (stream.Folds == FoldSides::Both)
     {
-      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, true, second, Stream::Never });
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, true, fold, Stream::Never });
     }
   }
 }

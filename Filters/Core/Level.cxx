@@ -9,14 +9,8 @@ Level<D> ExtractLevel(const StoredStream<D>& stream, int step)
 {
   Level<D> level;
   level.Step = step;
-  ForEachFace(stream,
-    [&](const FaceLife<D>& face)
-    {
-      if (face.Birth <= step && step < face.Death)
-      {
-        level.Faces.push_back(face);
-      }
-    });
+  ForEachFace(
+    stream, [&](const FaceLife<D>& face) { level.Faces.push_back(face); }, step, step);
   return level;
 }
 

@@ -47,8 +47,9 @@ public:
     struct stat status = {};
     fstat(this->Descriptor, &status);
     const std::size_t size = static_cast<std::size_t>(status.st_size);
-    void* data =
-      size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->Descriptor, 0) : MAP_FAILED;
+    void* data = size > 0
+      ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, this->Descriptor, 0)
+      : MAP_FAILED;
     if (data == MAP_FAILED)
     {
       read("", 0);

@@ -151,7 +151,7 @@ private:
   void WalkBreadth(int step, std::vector<int>& taken)
   {
     const double radius = this->Options.BreadthRadius;
-    const Point center = this->Mesh.Centroid(taken[0]);
+    const Point center = radius > 0.0 ? this->Mesh.Centroid(taken[0]) : Point();
     for (std::size_t i = 0; i < taken.size(); ++i)
     {
       this->ForEachCarvableNeighbor(taken[i],

@@ -3,25 +3,26 @@
 
 #include "Priority.h"
 #include "Winding.h"
+#include "WindingTree.h"
 
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace carving
 {
 namespace
 {
 
-/** Fills the regions and marks as Void, for now, all that are enclosed; returns their largest cells. */
+/** Fills the regions and marks as Void, for now, all that are enclosed. */
 template <int D>
-std::vector<int> FindRegions(const Decomposition<D>& mesh, Classification& result)
+void FindRegions(const Decomposition<D>& mesh, Classification& result)
 {
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   result.RegionOfCell.assign(numberOfCells, -1);
-  std::vector<int> largestCells;
   std::vector<int> stack;
   for (int seed = 0; seed < numberOfCells; ++seed)
   {
@@ -31,20 +32,12 @@ std::vector<int> FindRegions(const Decomposition<D>& mesh, Classification& resul
     }
     const int region = static_cast<int>(result.Regions.size());
     bool enclosed = true;
-    int largest = seed;
-    double largestVolume = -1.0;
     result.RegionOfCell[seed] = region;
     stack.push_back(seed);
     while (!stack.empty())
     {
       const int cell = stack.back();
       stack.pop_back();
-      const double volume = Size(mesh, cell);
-      if (volume > largestVolume || (volume == largestVolume && cell < largest))
-      {
-        largest = cell;
-        largestVolume = volume;
-      }
       for (int f = 0; f <= D; ++f)
       {
         if (mesh.Constraints[cell][f] >= 0)
@@ -66,7 +59,27 @@ std::vector<int> FindRegions(const Decomposition<D>& mesh, Classification& resul
     Region found;
     found.Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
     result.Regions.push_back(found);
-    largestCells.push_back(largest);
+  }
+}
+
+/** The largest cell of each enclosed region. */
+template <int D>
+std::vector<int> FindLargestCells(const Decomposition<D>& mesh, const Classification& result)
+{
+  std::vector<int> largestCells(result.Regions.size(), -1);
+  std::vector<double> largestSizes(result.Regions.size(), -1.0);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    if (result.Kind(cell) != RegionKind::Outside)
+    {
+      const int region = result.RegionOfCell[cell];
+      const double size = Size(mesh, cell);
+      if (size > largestSizes[region])
+      {
+        largestSizes[region] = size;
+        largestCells[region] = cell;
+      }
+    }
   }
   return largestCells;
 }
@@ -153,18 +166,33 @@ void CountWindings(const Decomposition<D>& mesh, Classification& result)
   }
 }
 
+// A winding number this far from an integer is a guess; from one half on it makes a region solid.
+constexpr double GuessedFrom = 0.1;
+constexpr double SolidFrom = 0.5;
+
 /** Winding numbers of any M: solid angles, at the centroid of a region's largest tetrahedron. */
 template <int D>
-void MeasureWindings(
-  const Decomposition<D>& mesh, const std::vector<int>& largestCells, Classification& result)
+void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
 {
+  const std::vector<int> largestCells = FindLargestCells(mesh, result);
+  std::function<double(const Point&)> windingNumber;
+  if constexpr (D == 3)
+  {
+    windingNumber = [tree = WindingTree(mesh.Surface)](const Point& p) {
+      return tree.Measure(p, { GuessedFrom, SolidFrom });
+    };
+  }
+  else
+  {
+    windingNumber = [&mesh](const Point& p) { return WindingNumber(mesh.Surface, p); };
+  }
   for (std::size_t r = 0; r < result.Regions.size(); ++r)
   {
     Region& region = result.Regions[r];
     if (region.Kind != RegionKind::Outside)
     {
-      region.Winding = WindingNumber(mesh.Surface, mesh.Centroid(largestCells[r]));
-      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > 0.1;
+      region.Winding = windingNumber(mesh.Centroid(largestCells[r]));
+      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > GuessedFrom;
     }
   }
 }
@@ -218,8 +246,7 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 }
 
 template <int D>
-void ClassifyByWinding(
-  const Decomposition<D>& mesh, const std::vector<int>& largestCells, Classification& result)
+void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
 {
   if (IsClosed(mesh.Surface))
   {
@@ -227,11 +254,11 @@ void ClassifyByWinding(
   }
   else
   {
-    MeasureWindings(mesh, largestCells, result);
+    MeasureWindings(mesh, result);
   }
   for (Region& region : result.Regions)
   {
-    if (region.Kind != RegionKind::Outside && std::abs(region.Winding) >= 0.5)
+    if (region.Kind != RegionKind::Outside && std::abs(region.Winding) >= SolidFrom)
     {
       region.Kind = RegionKind::Solid;
     }
@@ -244,11 +271,11 @@ template <int D>
 Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
 {
   Classification result;
-  const std::vector<int> largestCells = FindRegions(mesh, result);
+  FindRegions(mesh, result);
   switch (rule)
   {
     case SolidRule::NonzeroWinding:
-      ClassifyByWinding(mesh, largestCells, result);
+      ClassifyByWinding(mesh, result);
       break;
     case SolidRule::EvenOdd:
       ClassifyByParity(mesh, result);

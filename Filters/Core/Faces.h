@@ -21,7 +21,6 @@ struct FaceLife
   std::array<int, D> Corners; ///< oriented outward; of a fold, as M has it
   int Constraint;             ///< the facet of M that it lies on, -1 if none
   int Behind;                 ///< the half-face behind it, or Outside or Solid
-  int InFront;                ///< the half-face in front of it, or Outside or Solid
   bool Fold;                  ///< the exterior is on both sides
   int Birth;
   int Death;
@@ -37,11 +36,25 @@ int StepAt(const StoredStream<D>& stream, int halfFace)
 }
 
 /**
- * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation, first those of the
- * carved surface, then those of M. A face of the carved surface shows while it has the exterior on one
- * side only; a facet of M from the moment it has it on any side, and it changes into a fold when it has
- * it on both. Faces that show on none of C_first to
- * C_last are passed over.
+ * The half-face in front of a face, or Outside; or, on the approximations that do not show it, Solid.
+ */
+template <int D>
+int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
+{
+  if (face.Constraint >= 0)
+  {
+    const bool ownSide =
+      SameDirection<D>(face.Corners, stream.Mesh.Surface.Facets[face.Constraint]);
+    return stream.Sides[face.Constraint][ownSide ? 1 : 0];
+  }
+  return Across(stream.Mesh, face.Behind);
+}
+
+/**
+ * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation from C_first to
+ * C_last, first those of the carved surface, then those of M. A face of the carved surface shows while
+ * it has the exterior on one side only; a facet of M from the moment it has it on any side, and it
+ * changes into a fold when it has it on both.
  */
 template <int D, class Visitor>
 void ForEachFace(
@@ -58,25 +71,24 @@ void ForEachFace(
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
+    // A face belongs to the one of its cells that is carved later, and is behind it.
+    const int death = stream.Order.Step[cell];
+    if (death <= first)
+    {
+      continue;
+    }
     for (int f = 0; f <= D; ++f)
     {
-      const int neighbor = mesh.Neighbors[cell][f];
-      if (mesh.Constraints[cell][f] >= 0 || (neighbor >= 0 && neighbor < cell))
+      if (mesh.Constraints[cell][f] < 0)
       {
-        continue; // a facet of M, or visited from the neighbor
+        const int neighbor = mesh.Neighbors[cell][f];
+        const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
+        if (birth < death && birth <= last)
+        {
+          visit(FaceLife<D>{
+            mesh.OutwardFace(cell, f), -1, HalfFace<D>::Of(cell, f), false, birth, death });
+        }
       }
-      const int here = stream.Order.Step[cell];
-      const int there = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
-      if (here == there || std::min(here, there) > last || std::max(here, there) <= first)
-      {
-        continue;
-      }
-      const int own = HalfFace<D>::Of(cell, f);
-      const int other = neighbor < 0 ? neighbor : AcrossFace(mesh, own);
-      const std::array<int, D> corners = mesh.OutwardFace(cell, f);
-      visitIfItShows(here > there
-          ? FaceLife<D>{ corners, -1, own, other, false, there, here }
-          : FaceLife<D>{ Flipped<D>(corners), -1, other, own, false, here, there });
     }
   }
   for (int facet = 0; facet < static_cast<int>(stream.Sides.size()); ++facet)
@@ -89,16 +101,16 @@ void ForEachFace(
     const int fold = std::max(stepBehind, stepInFront);
     if (stepInFront <= stepBehind)
     {
-      visitIfItShows({ corners, facet, behind, inFront, false, birth, fold });
+      visitIfItShows({ corners, facet, behind, false, birth, fold });
     }
     else
     {
-      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, false, birth, fold });
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, false, birth, fold });
     }
-    visitIfItShows({ corners, facet, behind, inFront, true, fold, Stream::Never });
+    visitIfItShows({ corners, facet, behind, true, fold, Stream::Never });
     if (stream.Folds == FoldSides::Both)
     {
-      visitIfItShows({ Flipped<D>(corners), facet, inFront, behind, true, fold, Stream::Never });
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, true, fold, Stream::Never });
     }
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Protocol.h"
 
+#include "Validity.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -153,77 +155,6 @@ void VisitReply(Archive& archive, ReplyType& reply)
   VisitDecomposition(archive, reply.Plane);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
-}
-
-template <class Tuples>
-bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
-{
-  for (const auto& tuple : tuples)
-  {
-    for (const int index : tuple)
-    {
-      if (index < first || index >= static_cast<long long>(end))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/** Both sides of every face must agree on who the neighbors are and on the constraint. */
-template <int D>
-bool NeighborsAgree(const Decomposition<D>& mesh)
-{
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    for (int f = 0; f <= D; ++f)
-    {
-      const int neighbor = mesh.Neighbors[cell][f];
-      if (neighbor < 0)
-      {
-        continue;
-      }
-      const auto& back = mesh.Neighbors[neighbor];
-      const auto found = std::find(back.begin(), back.end(), static_cast<int>(cell));
-      if (found == back.end() ||
-        mesh.Constraints[neighbor][found - back.begin()] != mesh.Constraints[cell][f])
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/** The mistake in a tetrahedralization, or an empty string. */
-template <int D>
-std::string FindMistake(const Decomposition<D>& mesh)
-{
-  const ResolvedInput<D>& surface = mesh.Surface;
-  const std::size_t triangles = surface.Facets.size();
-  if (surface.PointSources.size() != surface.Points.size() ||
-    surface.FacetSources.size() != triangles || surface.Windings.size() != triangles ||
-    surface.Counts.size() != triangles || mesh.Neighbors.size() != mesh.Cells.size() ||
-    mesh.Constraints.size() != mesh.Cells.size())
-  {
-    return "arrays that belong together differ in length";
-  }
-  if (!IndicesWithin(surface.Facets, 0, surface.Points.size()) ||
-    !IndicesWithin(mesh.Cells, 0, surface.Points.size()))
-  {
-    return "a vertex index is out of range";
-  }
-  if (!IndicesWithin(mesh.Neighbors, -1, mesh.Cells.size()) ||
-    !IndicesWithin(mesh.Constraints, -1, triangles))
-  {
-    return "a neighbor or constraint index is out of range";
-  }
-  if (!NeighborsAgree(mesh))
-  {
-    return "neighboring tetrahedra disagree about their common face";
-  }
-  return {};
 }
 
 } // namespace

@@ -67,6 +67,14 @@ int AcrossFace(const Decomposition<D>& mesh, int halfFace)
   return -1; // two cells with the same corners, which there are not
 }
 
+/** The half-face or Solid or Outside on the other side of a half-face. */
+template <int D>
+int Across(const Decomposition<D>& mesh, int halfFace)
+{
+  const int neighbor = mesh.Neighbors[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
+  return neighbor < 0 ? neighbor : AcrossFace(mesh, halfFace);
+}
+
 } // namespace carving
 
 #endif

@@ -9,26 +9,30 @@
 namespace carving
 {
 
-double WindingNumber(const ResolvedInput<3>& mesh, const Point& point)
+double SolidAngle(const ResolvedMesh& mesh, std::size_t triangle, const Point& point)
 {
-  double halfAngles = 0.0;
+  const Triangle& corner = mesh.Facets[triangle];
+  const Point a = mesh.Points[corner[0]] - point;
+  const Point b = mesh.Points[corner[1]] - point;
+  const Point c = mesh.Points[corner[2]] - point;
+  const double la = Length(a), lb = Length(b), lc = Length(c);
+  // Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, equation (8).
+  const double numerator = Dot(a, Cross(b, c));
+  const double denominator = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
+  return 2.0 * std::atan2(numerator, denominator);
+}
+
+double WindingNumber(const ResolvedMesh& mesh, const Point& point)
+{
+  double angles = 0.0;
   for (std::size_t t = 0; t < mesh.Facets.size(); ++t)
   {
-    if (mesh.Windings[t] == 0)
+    if (mesh.Windings[t] != 0)
     {
-      continue;
+      angles += mesh.Windings[t] * SolidAngle(mesh, t, point);
     }
-    const Triangle& corner = mesh.Facets[t];
-    const Point a = mesh.Points[corner[0]] - point;
-    const Point b = mesh.Points[corner[1]] - point;
-    const Point c = mesh.Points[corner[2]] - point;
-    const double la = Length(a), lb = Length(b), lc = Length(c);
-    // Van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, equation (8).
-    const double numerator = Dot(a, Cross(b, c));
-    const double denominator = la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb;
-    halfAngles += mesh.Windings[t] * std::atan2(numerator, denominator);
   }
-  return halfAngles / (2.0 * std::acos(-1.0));
+  return angles / (4.0 * std::acos(-1.0));
 }
 
 double WindingNumber(const ResolvedInput<2>& contours, const Point& point)

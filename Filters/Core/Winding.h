@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Winding number of M around a point.
+ * Solid angles and winding numbers.
  */
 #ifndef carving_Winding_h
 #define carving_Winding_h
 
 #include "Mesh.h"
 
+#include <cstddef>
+
 namespace carving
 {
+
+/** Signed solid angle of a triangle: positive where the point lies behind it. */
+double SolidAngle(const ResolvedMesh& mesh, std::size_t triangle, const Point& point);
 
 /**
  * Generalized winding number of M around a point that lies on no facet: the sum of the signed solid
@@ -17,7 +22,7 @@ namespace carving
  * its entry in `Windings`, as a share of the full angle. An integer where M is closed and consistently
  * oriented.
  */
-double WindingNumber(const ResolvedInput<3>& mesh, const Point& point);
+double WindingNumber(const ResolvedMesh& mesh, const Point& point);
 double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 
 /**

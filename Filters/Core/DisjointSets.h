@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Union-find.
+ */
+#ifndef carving_DisjointSets_h
+#define carving_DisjointSets_h
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace carving
+{
+
+/** A partition of the numbers below `size`, at first into single ones. */
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t size)
+    : Parent(size)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  /** The smallest member of the set. */
+  int Find(int a)
+  {
+    while (this->Parent[a] != a)
+    {
+      a = this->Parent[a] = this->Parent[this->Parent[a]];
+    }
+    return a;
+  }
+
+  void Unite(int a, int b)
+  {
+    const auto [lower, upper] = std::minmax({ this->Find(a), this->Find(b) });
+    this->Parent[upper] = lower;
+  }
+
+private:
+  std::vector<int> Parent;
+};
+
+} // namespace carving
+
+#endif

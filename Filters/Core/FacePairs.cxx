@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FacePairs.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace carving
+{
+namespace
+{
+
+template <int D>
+class Pairer
+{
+public:
+  Pairer(const StoredStream<D>& stream, const Level<D>& level)
+    : Stored(stream)
+    , Mesh(stream.Mesh)
+    , Shown(level)
+  {
+    this->Pairs.Partner.assign(D * level.Faces.size(), -1);
+  }
+
+  FacePairs Run()
+  {
+    this->FindRidges();
+    for (const std::vector<int>& group : this->Pairs.Crowded)
+    {
+      this->PairCrowded(group);
+    }
+    return std::move(this->Pairs);
+  }
+
+private:
+  using Ridge = std::array<int, D - 1>;
+
+  /** Groups the sides of all faces by their ridges; joins the two of a regular one. */
+  void FindRidges()
+  {
+    const int numberOfSides = static_cast<int>(this->Pairs.Partner.size());
+    std::vector<int> ends(this->Mesh.Surface.Points.size() + 1, 0);
+    std::vector<Ridge> ridges(numberOfSides);
+    for (int side = 0; side < numberOfSides; ++side)
+    {
+      ridges[side] = RidgeAt<D>(this->Shown, side);
+      ++ends[ridges[side][0] + 1];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    const std::vector<int> begins = ends;
+    std::vector<int> sides(numberOfSides);
+    for (int side = 0; side < numberOfSides; ++side)
+    {
+      sides[ends[ridges[side][0]]++] = side;
+    }
+    for (std::size_t vertex = 0; vertex + 1 < begins.size(); ++vertex)
+    {
+      const auto end = sides.begin() + begins[vertex + 1];
+      auto first = sides.begin() + begins[vertex];
+      std::sort(first, end,
+        [&](int a, int b) { return ridges[a] != ridges[b] ? ridges[a] < ridges[b] : a < b; });
+      while (first != end)
+      {
+        const auto last =
+          std::find_if(first, end, [&](int side) { return ridges[side] != ridges[*first]; });
+        this->PairGroup({ first, last });
+        first = last;
+      }
+    }
+  }
+
+  void PairGroup(const std::vector<int>& group)
+  {
+    if (group.size() > 2 || (group.size() == 2 && !this->PairIfAlike(group)))
+    {
+      this->Pairs.Crowded.push_back(group);
+    }
+  }
+
+  /** Joins two faces of one kind if they pass their ridge in opposite directions. */
+  bool PairIfAlike(const std::vector<int>& sides)
+  {
+    const int a = sides[0], b = sides[1];
+    const bool alike = FaceAt<D>(this->Shown, a).Fold == FaceAt<D>(this->Shown, b).Fold &&
+      IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b);
+    if (alike)
+    {
+      this->Pairs.Join(a, b);
+    }
+    return alike;
+  }
+
+  void PairCrowded(const std::vector<int>& group)
+  {
+    std::vector<int> folds, others;
+    for (const int side : group)
+    {
+      (FaceAt<D>(this->Shown, side).Fold ? folds : others).push_back(side);
+    }
+    if (this->Stored.Folds == FoldSides::Both && !folds.empty())
+    {
+      this->PairAcrossExterior(group);
+      return;
+    }
+    if (others.size() == 2)
+    {
+      this->PairIfAlike(others);
+    }
+    else
+    {
+      this->PairAcrossSolid(others);
+    }
+    if (folds.size() == 2)
+    {
+      this->PairIfAlike(folds);
+    }
+  }
+
+  bool IsExterior(int halfFace) const
+  {
+    return StepAt(this->Stored, halfFace) <= this->Shown.Step;
+  }
+
+  int ConstraintOf(int halfFace) const
+  {
+    return this->Mesh.Constraints[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
+  }
+
+  /** Which corner of the facet the ridge is opposite to. */
+  int OppositeCorner(int facet, const Ridge& ridge) const
+  {
+    const std::array<int, D>& corners = this->Mesh.Surface.Facets[facet];
+    int k = 0;
+    while (std::find(ridge.begin(), ridge.end(), corners[k]) != ridge.end())
+    {
+      ++k;
+    }
+    return k;
+  }
+
+  /**
+   * The face, given by facet of M (as -1 - facet) or by half-face in the exterior, at which a turn
+   * through solid and uncarved cells ends that starts behind the given face.
+   */
+  int TurnThroughSolid(const FaceLife<D>& face, const Ridge& ridge) const
+  {
+    int at = face.Behind;
+    int facet = face.Constraint;
+    for (;;)
+    {
+      if (at == Solid)
+      {
+        facet = this->Stored.Turns[facet][this->OppositeCorner(facet, ridge)];
+        const auto& [behind, inFront] = this->Stored.Sides[facet];
+        at = behind == Solid ? inFront : behind;
+        if (at == Outside || this->IsExterior(at))
+        {
+          return -1 - facet;
+        }
+        continue;
+      }
+      const int exit = AcrossCell(this->Mesh, at, ridge);
+      facet = this->ConstraintOf(exit);
+      at = Across(this->Mesh, exit);
+      if (at != Solid && this->IsExterior(at))
+      {
+        return facet >= 0 ? -1 - facet : exit;
+      }
+    }
+  }
+
+  void PairAcrossSolid(const std::vector<int>& sides)
+  {
+    for (const int side : sides)
+    {
+      if (this->Pairs.Partner[side] >= 0)
+      {
+        continue;
+      }
+      const int end =
+        this->TurnThroughSolid(FaceAt<D>(this->Shown, side), RidgeAt<D>(this->Shown, side));
+      for (const int other : sides)
+      {
+        const FaceLife<D>& face = FaceAt<D>(this->Shown, other);
+        if (end < 0 ? face.Constraint == -1 - end : face.Behind == end)
+        {
+          this->Pairs.Join(side, other);
+        }
+      }
+    }
+  }
+
+  /** The half-face in the exterior in front of the face at which a turn through it ends. */
+  int TurnThroughExterior(const FaceLife<D>& face, const Ridge& ridge) const
+  {
+    int at = InFront(this->Stored, face);
+    while (at != Outside)
+    {
+      const int exit = AcrossCell(this->Mesh, at, ridge);
+      at = Across(this->Mesh, exit);
+      if (this->ConstraintOf(exit) >= 0 || at == Solid || (at >= 0 && !this->IsExterior(at)))
+      {
+        return exit;
+      }
+    }
+    return Outside;
+  }
+
+  void PairAcrossExterior(const std::vector<int>& sides)
+  {
+    int atOutside = -1; // C0 is a manifold: two turns end there
+    for (const int side : sides)
+    {
+      if (this->Pairs.Partner[side] >= 0)
+      {
+        continue;
+      }
+      const int end =
+        this->TurnThroughExterior(FaceAt<D>(this->Shown, side), RidgeAt<D>(this->Shown, side));
+      if (end == Outside)
+      {
+        if (atOutside >= 0)
+        {
+          this->Pairs.Join(atOutside, side);
+        }
+        atOutside = side;
+        continue;
+      }
+      for (const int other : sides)
+      {
+        if (InFront(this->Stored, FaceAt<D>(this->Shown, other)) == end)
+        {
+          this->Pairs.Join(side, other);
+        }
+      }
+    }
+  }
+
+  const StoredStream<D>& Stored;
+  const Decomposition<D>& Mesh;
+  const Level<D>& Shown;
+  FacePairs Pairs;
+};
+
+} // namespace
+
+template <int D>
+FacePairs PairFaces(const StoredStream<D>& stream, const Level<D>& level)
+{
+  return Pairer<D>(stream, level).Run();
+}
+
+template FacePairs PairFaces<2>(const StoredStream<2>&, const Level<2>&);
+template FacePairs PairFaces<3>(const StoredStream<3>&, const Level<3>&);
+
+} // namespace carving

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks of meshes that come from outside.
+ */
+#ifndef carving_Validity_h
+#define carving_Validity_h
+
+#include "Mesh.h"
+
+#include <cstddef>
+#include <string>
+
+namespace carving
+{
+
+/** Whether all indices of all cells or facets are at least `first` and below `end`. */
+template <class Tuples>
+bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
+{
+  bool within = true; // no early way out, so that the compiler can vectorize the loop
+  for (const auto& tuple : tuples)
+  {
+    for (const int index : tuple)
+    {
+      within &= index >= first && index < static_cast<long long>(end);
+    }
+  }
+  return within;
+}
+
+/**
+ * What contradicts what Mesh.h says of a decomposition (array lengths, indices, neighbors that do not
+ * know each other), or an empty string. Geometry is not looked at.
+ */
+template <int D>
+std::string FindMistake(const Decomposition<D>& mesh);
+
+} // namespace carving
+
+#endif

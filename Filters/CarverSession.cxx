@@ -2,9 +2,9 @@
 #include "CarverSession.h"
 
 #include "ArrayTools.h"
-#include "CarverInput.h"
+#include "CarverKind.h"
+#include "CarverNotes.h"
 #include "CompositeTree.h"
-#include "ContourInput.h"
 #include "HelperProcess.h"
 #include "InitialDistance.h"
 #include "LevelOutput.h"
@@ -25,66 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-namespace
-{
-
-/** What differs between meshes and contours. */
-template <int D>
-struct Kind;
-
-template <>
-struct Kind<3>
-{
-  using Input = CarverInput;
-  static constexpr const char* Rung = "TetGen -pcY";
-
-  static std::string GatherInitial(vtkPolyData* initial, const Input&, Input& gathered)
-  {
-    return gathered.Gather(initial);
-  }
-  static const carving::Decomposition<3>& GetResult(const carving::Reply& reply)
-  {
-    return reply.Result;
-  }
-  static void Fill(carving::Job& job, Input& input, Input& initial)
-  {
-    job.Kind = carving::JobKind::Tetrahedralize;
-    job.Mesh = std::move(input.Mesh);
-    job.InitialMesh = std::move(initial.Mesh);
-  }
-  static void Restore(const Input&, std::vector<carving::Point>&)
-  {
-  }
-};
-
-template <>
-struct Kind<2>
-{
-  using Input = ContourInput;
-  static constexpr const char* Rung = "CGAL constrained Delaunay";
-
-  static std::string GatherInitial(vtkPolyData* initial, const Input& input, Input& gathered)
-  {
-    return gathered.GatherInPlaneOf(input, initial);
-  }
-  static const carving::Decomposition<2>& GetResult(const carving::Reply& reply)
-  {
-    return reply.Plane;
-  }
-  static void Fill(carving::Job& job, Input& input, Input& initial)
-  {
-    job.Kind = carving::JobKind::Triangulate;
-    job.Contours = std::move(input.Contours);
-    job.InitialContours = std::move(initial.Contours);
-  }
-  static void Restore(const Input& input, std::vector<carving::Point>& points)
-  {
-    input.Restore(points);
-  }
-};
-
-} // namespace
 
 /** What is kept of a leaf of the input between updates. */
 template <int D>
@@ -143,51 +83,6 @@ void SetName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string
   {
     parent->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name);
   }
-}
-
-/** What the user should know, as the string array `Notes`. */
-void AddNotes(std::vector<std::string> texts, int intersectingPairs, int guessedRegions,
-  bool nothingToCarve, vtkFieldData* fieldData)
-{
-  if (intersectingPairs > 0)
-  {
-    texts.push_back(std::to_string(intersectingPairs) +
-      " pairs of triangles or edges cross each other and were split where they meet.");
-  }
-  if (guessedRegions > 0)
-  {
-    texts.push_back("The input is open or inconsistently oriented: whether " +
-      std::to_string(guessedRegions) + " of its enclosed regions are solid is a guess.");
-  }
-  if (nothingToCarve)
-  {
-    texts.push_back("The input is its own initial approximation: there is nothing to carve.");
-  }
-  if (texts.empty())
-  {
-    return;
-  }
-  vtkNew<vtkStringArray> notes;
-  notes->SetName("Notes");
-  for (const std::string& text : texts)
-  {
-    notes->InsertNextValue(text);
-  }
-  fieldData->AddArray(notes);
-}
-
-/** The settings that a stream has been made with, by the names of the filter's properties. */
-void AddSettings(const CarverSettings& settings, const char* rung, vtkFieldData* fieldData)
-{
-  const carving::CarveOptions& carve = settings.Carve;
-  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, rung);
-  AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
-  AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
-  AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
-  AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);
-  AddFieldValue<vtkDoubleArray>(fieldData, "BreadthRadius", carve.BreadthRadius);
-  AddFieldValue<vtkIntArray>(fieldData, "CarveExposed", carve.CarveExposed);
-  AddFieldValue<vtkIntArray>(fieldData, "CarveVoids", carve.CarveVoids);
 }
 
 } // namespace

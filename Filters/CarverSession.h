@@ -6,10 +6,8 @@
 #ifndef CarverSession_h
 #define CarverSession_h
 
-#include "Carver.h"
-#include "LevelSelection.h"
+#include "CarverSettings.h"
 #include "Profile.h"
-#include "Protocol.h"
 
 #include <array>
 #include <chrono>
@@ -19,23 +17,8 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
-class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
-
-/** The properties of the filter that an update depends on. */
-struct CarverSettings
-{
-  carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
-  carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
-  carving::CarveOptions Carve;
-  bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy
-  int NumberOfLevels = 8;
-  std::vector<double> LevelTargets; ///< replace NumberOfLevels if there are any
-  carving::LevelTarget TargetType = carving::LevelTarget::Vertices;
-  bool KeepBothFoldSides = false;
-  bool ManifoldOutput = true;
-};
 
 /** Where the results for a polydata or a composite of them go. */
 struct CarverPorts

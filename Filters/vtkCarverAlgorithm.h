@@ -117,7 +117,9 @@ public:
   /**
    * bp of section 5.4, in world units: a step carves all tetrahedra whose centroid lies within this
    * distance of the popped one's and that a walk among those reaches without crossing M. It avoids
-   * narrow, deep cavities (spiking, section 5.2). At least 0, the default: one tetrahedron a step.
+   * narrow, deep cavities (spiking, section 5.2). At least 0, the default: one tetrahedron a step. About
+   * the width of the gaps between parts works best; much wider, and a step reaches deep into them
+   * again.
    */
   vtkSetClampMacro(BreadthRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(BreadthRadius, double);

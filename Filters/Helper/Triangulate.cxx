@@ -2,19 +2,16 @@
 #include "Triangulate.h"
 
 #include "Adjacency.h"
+#include "InitialContour.h"
 #include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <numeric>
 
 using namespace carving;
 
 namespace
 {
-
-const std::string Prefix = "The initial approximation on port 1 ";
 
 Point Flat(const Point& p)
 {
@@ -81,79 +78,6 @@ std::vector<Point> GrownRectangle(const std::vector<Point>& points)
     }
   }
   return corners;
-}
-
-std::string NamePoint(const Point& p)
-{
-  char text[100];
-  std::snprintf(text, sizeof(text), "(%.6g, %.6g)", p[0], p[1]);
-  return text;
-}
-
-/** The number of connected pieces that edges make. */
-int CountPieces(const Contours& contours)
-{
-  std::vector<int> parent(contours.Points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int i)
-  {
-    while (parent[i] != i)
-    {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  };
-  int pieces = static_cast<int>(contours.Points.size());
-  for (const auto& [from, to] : contours.Facets)
-  {
-    const int a = find(from), b = find(to);
-    parent[a] = b;
-    pieces -= a != b;
-  }
-  return pieces;
-}
-
-/** The first of the checks of one simple polygon that fails. */
-std::string CheckSimple(const Contours& given)
-{
-  Contours contours = Clean(given);
-  if (contours.Facets.empty())
-  {
-    return Prefix + "has no edge of any length.";
-  }
-  int meetings = 0;
-  const std::string error = Resolve(contours, meetings, {});
-  if (!error.empty())
-  {
-    return Prefix + "is too intricate for double precision.";
-  }
-  std::vector<int> degrees(contours.Points.size(), 0);
-  for (const auto& [from, to] : contours.Facets)
-  {
-    ++degrees[from];
-    ++degrees[to];
-  }
-  for (std::size_t i = 0; i < degrees.size(); ++i)
-  {
-    if (degrees[i] == 1)
-    {
-      return Prefix + "is not closed: it ends at " + NamePoint(contours.Points[i]) + ".";
-    }
-  }
-  const auto branch =
-    std::find_if(degrees.begin(), degrees.end(), [](int degree) { return degree > 2; });
-  if (branch != degrees.end())
-  {
-    return Prefix + "crosses or touches itself at " +
-      NamePoint(contours.Points[branch - degrees.begin()]) + ".";
-  }
-  if (meetings > 0)
-  {
-    return Prefix + "runs over itself.";
-  }
-  const int pieces = CountPieces(contours);
-  return pieces == 1 ? std::string()
-                     : Prefix + "is in " + std::to_string(pieces) + " pieces; it must be one.";
 }
 
 /** Puts the points of M before all others, and its edges before those that are of C0 only. */
@@ -225,101 +149,7 @@ bool MakeCells(Decomposition<2>& mesh)
   return FindAdjacency(mesh);
 }
 
-/** Removes the cells that a path joins to the outside without crossing the boundary of C0. */
-void RemoveOutside(const std::vector<char>& initial, Decomposition<2>& mesh)
-{
-  std::vector<char> outside(mesh.Cells.size(), 0);
-  std::vector<int> stack;
-  const auto visit = [&](int from, int f, int cell)
-  {
-    const int facet = mesh.Constraints[from][f];
-    if (!outside[cell] && (facet < 0 || !initial[facet]))
-    {
-      outside[cell] = 1;
-      stack.push_back(cell);
-    }
-  };
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    for (int f = 0; f < 3; ++f)
-    {
-      if (mesh.Neighbors[cell][f] == Outside)
-      {
-        visit(cell, f, cell);
-      }
-    }
-  }
-  while (!stack.empty())
-  {
-    const int cell = stack.back();
-    stack.pop_back();
-    for (int f = 0; f < 3; ++f)
-    {
-      if (mesh.Neighbors[cell][f] >= 0)
-      {
-        visit(cell, f, mesh.Neighbors[cell][f]);
-      }
-    }
-  }
-  std::vector<std::array<int, 3>> kept;
-  for (std::size_t cell = 0; cell < outside.size(); ++cell)
-  {
-    if (!outside[cell])
-    {
-      kept.push_back(mesh.Cells[cell]);
-    }
-  }
-  mesh.Cells = std::move(kept);
-  FindAdjacency(mesh);
-}
-
-/** Drops the edges that are of C0 only and finds the first edge of M that is not within C0. */
-std::string KeepInput(const ContourSet& given, Decomposition<2>& mesh)
-{
-  ResolvedInput<2>& surface = mesh.Surface;
-  const std::size_t count =
-    std::find(surface.Counts.begin(), surface.Counts.end(), 0) - surface.Counts.begin();
-  surface.Facets.resize(count);
-  surface.FacetSources.resize(count);
-  surface.Windings.resize(count);
-  surface.Counts.resize(count);
-  FindAdjacency(mesh);
-  std::vector<char> within(count, 0);
-  for (const auto& facets : mesh.Constraints)
-  {
-    for (const int facet : facets)
-    {
-      if (facet >= 0)
-      {
-        within[facet] = 1;
-      }
-    }
-  }
-  const auto out = std::find(within.begin(), within.end(), 0);
-  if (out == within.end())
-  {
-    return {};
-  }
-  const auto& [from, to] = given.Edges[surface.FacetSources[out - within.begin()]];
-  return Prefix + "does not contain the input: the edge from point " + std::to_string(from) +
-    " to point " + std::to_string(to) + " is not within it.";
-}
-
 } // namespace
-
-std::string InsertInitialContour(const ContourSet& initial, Contours& contours)
-{
-  const Contours boundary = AsContours(initial, true);
-  const std::string error = CheckSimple(boundary);
-  if (!error.empty())
-  {
-    return error;
-  }
-  Append(boundary, contours);
-  contours = Clean(contours);
-  int meetings = 0; // where the input touches C0, which it may
-  return Resolve(contours, meetings, {});
-}
 
 std::string Triangulate(const Contours& contours, InitialApproximation initial,
   const ContourSet& given, Decomposition<2>& result)
@@ -342,10 +172,6 @@ std::string Triangulate(const Contours& contours, InitialApproximation initial,
   {
     return "All points lie on one line, so that their convex hull has no area to carve.";
   }
-  if (initial != InitialApproximation::Custom)
-  {
-    return {};
-  }
-  RemoveOutside(ofInitial, result);
-  return KeepInput(given, result);
+  return initial == InitialApproximation::Custom ? RemoveOutsideOfInitial(given, ofInitial, result)
+                                                 : std::string();
 }

@@ -8,12 +8,6 @@
 #include <string>
 
 /**
- * Checks that edges are the boundary of one simple polygon and resolves them together with those of
- * M, which have been cleaned and resolved. Returns an empty string, or the first check that fails.
- */
-std::string InsertInitialContour(const carving::ContourSet& initial, Contours& contours);
-
-/**
  * The triangles of C0, constrained by the edges of M: the convex hull of all points, a rectangle
  * around them, or the inside of the edges of C0 that InsertInitialContour inserted. Returns an
  * empty string or why there are none: no edge, no area, or an edge of `given` outside of C0.

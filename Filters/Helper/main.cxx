@@ -5,6 +5,7 @@
  * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
  */
 #include "Clean.h"
+#include "InitialContour.h"
 #include "InitialSurface.h"
 #include "Intersections.h"
 #include "Protocol.h"

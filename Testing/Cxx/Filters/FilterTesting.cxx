@@ -7,11 +7,13 @@
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -24,6 +26,25 @@ namespace
 constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
 
 } // namespace
+
+std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* mesh)
+{
+  std::multiset<std::array<std::array<double, 3>, 3>> result;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    mesh->GetCellPoints(i, corners);
+    std::array<std::array<double, 3>, 3> triangle;
+    for (int k = 0; k < 3; ++k)
+    {
+      mesh->GetPoint(corners->GetId(k), triangle[k].data());
+    }
+    std::rotate(
+      triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    result.insert(triangle);
+  }
+  return result;
+}
 
 vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh)
 {

@@ -13,6 +13,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTopologyCarver.h"
 
+#include <array>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,9 @@ private:
   vtkAlgorithm* Filter;
   unsigned long Tags[3];
 };
+
+/** The triangles of a mesh by coordinates, rotated so that the smallest corner comes first. */
+std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* mesh);
 
 /** While it lives, the filters run another program in the helper's place. */
 class OtherHelper

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+// The stream holds the complement's tetrahedra and M's triangles, and any level can be counted from
+// their steps.
+TEST(StreamOutput, WritesTheStream)
+{
+  auto input = ReadReal("elephant.off");
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->Update();
+  auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+  ASSERT_NE(stream, nullptr);
+  vtkDataArray* steps = stream->GetCellData()->GetArray("Step");
+  vtkDataArray* priorities = stream->GetCellData()->GetArray("Priority");
+  vtkDataArray* depths = stream->GetCellData()->GetArray("Depth");
+  vtkDataArray* regions = stream->GetCellData()->GetArray("Region");
+  vtkIdType tetrahedra = 0, triangles = 0, onHull = 0;
+  for (vtkIdType i = 0; i < stream->GetNumberOfCells(); ++i)
+  {
+    if (stream->GetCellType(i) == VTK_TETRA)
+    {
+      ++tetrahedra;
+      EXPECT_GE(steps->GetTuple1(i), 1);
+      EXPECT_GT(priorities->GetTuple1(i), 0.0);
+      EXPECT_GE(depths->GetTuple1(i), 1);
+      EXPECT_GE(regions->GetTuple1(i), 0);
+    }
+    else
+    {
+      ASSERT_EQ(stream->GetCellType(i), VTK_TRIANGLE);
+      ++triangles;
+      onHull += steps->GetTuple1(i) == 0;
+      EXPECT_TRUE(std::isnan(priorities->GetTuple1(i)));
+      EXPECT_EQ(regions->GetTuple1(i), -1);
+    }
+  }
+  EXPECT_GT(tetrahedra, 0);
+  EXPECT_EQ(triangles, input->GetNumberOfPolys());
+  vtkDataArray* original = GetLevel(carver, 0)->GetCellData()->GetArray("vtkOriginalCellIds");
+  vtkIdType inputFacesOnHull = 0;
+  for (vtkIdType i = 0; i < original->GetNumberOfTuples(); ++i)
+  {
+    inputFacesOnHull += original->GetTuple1(i) >= 0;
+  }
+  EXPECT_EQ(onHull, inputFacesOnHull);
+}
+
+// The profile has a row per step, whose counts are those of the levels.
+TEST(StreamOutput, WritesTheProfile)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("elephant.off"));
+  carver->Update();
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  ASSERT_NE(profile, nullptr);
+  for (int i = 0; i < 8; ++i)
+  {
+    const int step = GetLevelStep(carver, i);
+    EXPECT_EQ(profile->GetValueByName(step, "Step").ToInt(), step);
+    EXPECT_EQ(
+      profile->GetValueByName(step, "Vertices").ToInt(), GetLevel(carver, i)->GetNumberOfPoints());
+    EXPECT_EQ(
+      profile->GetValueByName(step, "Triangles").ToInt(), GetLevel(carver, i)->GetNumberOfPolys());
+  }
+  EXPECT_EQ(profile->GetNumberOfRows(), GetLevelStep(carver, 7) + 1);
+  EXPECT_TRUE(std::isnan(profile->GetValueByName(0, "Priority").ToDouble()));
+}

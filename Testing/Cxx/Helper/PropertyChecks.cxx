@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PropertyChecks.h"
+
+#include "Checks.h"
+#include "Components.h"
+#include "LevelSelection.h"
+#include "ManifoldCheck.h"
+#include "Vector.h"
+#include "Winding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+using namespace carving;
+
+namespace
+{
+
+/** The part of a level that bounds a volume: all but the folds. */
+std::vector<Triangle> Shell(const Level<3>& level)
+{
+  std::vector<Triangle> shell;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    if (!face.Fold)
+    {
+      shell.push_back(face.Corners);
+    }
+  }
+  return shell;
+}
+
+std::vector<Triangle> AllTriangles(const Level<3>& level)
+{
+  std::vector<Triangle> triangles;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    triangles.push_back(face.Corners);
+  }
+  return triangles;
+}
+
+std::vector<char> UsedPoints(const Carved& carved, const Level<3>& level)
+{
+  std::vector<char> used(carved.Mesh.Surface.Points.size(), 0);
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    for (const int corner : face.Corners)
+    {
+      used[corner] = 1;
+    }
+  }
+  return used;
+}
+
+/** Property 1, for one level: no input vertex is outside. */
+void ExpectToEnclose(const Carved& carved, const Level<3>& level, int samples)
+{
+  ResolvedMesh shell;
+  shell.Points = carved.Mesh.Surface.Points;
+  shell.Facets = Shell(level);
+  shell.Windings.assign(shell.Facets.size(), 1);
+  EXPECT_TRUE(IsClosed(shell));
+  const std::vector<char> used = UsedPoints(carved, level);
+  std::vector<int> hidden;
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (!used[i] && carved.Mesh.Surface.PointSources[i] >= 0)
+    {
+      hidden.push_back(static_cast<int>(i));
+    }
+  }
+  const std::size_t stride = std::max<std::size_t>(1, hidden.size() / samples);
+  for (std::size_t i = 0; i < hidden.size(); i += stride)
+  {
+    EXPECT_TRUE(checks::Encloses(shell.Points, shell.Facets, shell.Points[hidden[i]]));
+  }
+}
+
+/** Property 1, between two levels: no line that misses the coarser one hits the finer one. */
+void ExpectSilhouetteToShrink(const Carved& carved, const Level<3>& coarse, const Level<3>& fine,
+  int lines, std::mt19937_64& random)
+{
+  const std::vector<Point>& points = carved.Mesh.Surface.Points;
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < lines; ++i)
+  {
+    const Point direction = { normal(random), normal(random), normal(random) };
+    // Through a point near the finer level, so that lines graze it.
+    const Triangle& t = fine.Faces[random() % fine.Faces.size()].Corners;
+    Point through = points[t[0]];
+    for (double& x : through)
+    {
+      x *= 1.0 + 0.05 * normal(random);
+    }
+    if (checks::LineHits(points, AllTriangles(fine), through, direction))
+    {
+      EXPECT_TRUE(checks::LineHits(points, AllTriangles(coarse), through, direction));
+    }
+  }
+}
+
+/** The first level is the convex hull of all points, those of a box included. */
+void ExpectHull(const Carved& carved, const Level<3>& level)
+{
+  const std::vector<Point>& points = carved.Mesh.Surface.Points;
+  const checks::Hull hull = checks::ConvexHull(points);
+  EXPECT_NEAR(
+    checks::SixVolume(points, AllTriangles(level)), hull.SixVolume, 1e-9 * hull.SixVolume);
+  std::set<Point> vertices;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    for (const int corner : face.Corners)
+    {
+      vertices.insert(points[corner]);
+    }
+  }
+  EXPECT_TRUE(
+    std::includes(vertices.begin(), vertices.end(), hull.Vertices.begin(), hull.Vertices.end()));
+}
+
+/** The last level is every triangle of M that has not solid on both sides, once, and no other. */
+void ExpectInput(const Carved& carved, const Level<3>& level)
+{
+  const std::vector<Triangle>& triangles = carved.Mesh.Surface.Facets;
+  std::vector<char> hidden(triangles.size(), 1);
+  for (std::size_t cell = 0; cell < carved.Mesh.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const int constraint = carved.Mesh.Constraints[cell][f];
+      const bool outside = carved.Mesh.Neighbors[cell][f] < 0;
+      if (constraint >= 0 &&
+        (outside || carved.Regions.Kind(static_cast<int>(cell)) != RegionKind::Solid))
+      {
+        hidden[constraint] = 0;
+      }
+    }
+  }
+  std::vector<int> expected;
+  for (std::size_t i = 0; i < hidden.size(); ++i)
+  {
+    if (!hidden[i])
+    {
+      expected.push_back(static_cast<int>(i));
+    }
+  }
+  std::vector<int> found;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    found.push_back(face.Constraint);
+  }
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, expected);
+}
+
+/** Property 4, with one or both sides of folds. */
+void ExpectManifold(const Carved& carved, int step)
+{
+  StoredStream<3> stream = carved.Stored;
+  for (const FoldSides folds : { FoldSides::One, FoldSides::Both })
+  {
+    stream.Folds = folds;
+    const Level<3> level = ExtractLevel(stream, step);
+    EXPECT_EQ(checks::FindFaults(level, CutIntoManifold(stream, level)), checks::ManifoldFaults());
+  }
+}
+
+} // namespace
+
+Carved CarveResult(const Tetrahedralization& mesh, const CarveOptions& options, SolidRule rule)
+{
+  Carved carved = { mesh, Classify(mesh, rule), {}, {}, {} };
+  Carve(carved.Mesh, carved.Regions, options, carved.Stream);
+  carved.Stored = Store(carved.Mesh, carved.Regions, carved.Stream);
+  carved.Profile = ComputeProfile(carved.Stored);
+  return carved;
+}
+
+void ExpectSolidByWinding(
+  const TriangleMesh& given, const Carved& carved, const Level<3>& last, std::mt19937_64& random)
+{
+  ResolvedMesh all, shell;
+  all.Points = given.Points;
+  all.Facets = given.Triangles;
+  all.Windings.assign(given.Triangles.size(), 1);
+  shell.Points = carved.Mesh.Surface.Points;
+  shell.Facets = Shell(last);
+  shell.Windings.assign(shell.Facets.size(), 1);
+  std::uniform_real_distribution<double> coordinate(-1.0, 3.0);
+  for (int i = 0; i < 100; ++i)
+  {
+    const Point p = { coordinate(random), coordinate(random), coordinate(random) };
+    const bool solid = std::abs(WindingNumber(all, p)) > 0.5;
+    EXPECT_EQ(std::round(WindingNumber(shell, p)), solid ? 1.0 : 0.0);
+  }
+}
+
+void ExpectProperties(
+  const TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples)
+{
+  std::mt19937_64 random(7);
+  const std::vector<Point>& points = carved.Mesh.Surface.Points;
+  const std::set<Point> givenPoints(given.Points.begin(), given.Points.end());
+  const std::vector<int> steps = SpreadLevels(carved.Profile, numberOfLevels);
+  const std::vector<int> componentsOfSteps = CountComponents(carved.Mesh, carved.Stream);
+  double volume = HUGE_VAL, hullVolume = 0.0;
+  int components = 0, inputVertices = 0;
+  Level<3> coarser;
+  for (const int step : steps)
+  {
+    const Level<3> level = ExtractLevel(carved.Stored, step);
+    ExpectToEnclose(carved, level, samples);
+    ExpectManifold(carved, step);
+    EXPECT_EQ(checks::CountCrossings(points, AllTriangles(level)), 0);
+
+    const double newVolume = checks::SixVolume(points, Shell(level));
+    // Of a sum over the surface, the rounding error is that of the whole.
+    hullVolume = std::max(hullVolume, newVolume);
+    EXPECT_LE(newVolume, volume + 1e-12 * hullVolume);
+    volume = newVolume;
+    const int newComponents = componentsOfSteps[step];
+    EXPECT_GE(newComponents, components);
+    components = newComponents;
+
+    int newInputVertices = 0, allVertices = 0;
+    const std::vector<char> used = UsedPoints(carved, level);
+    for (std::size_t i = 0; i < used.size(); ++i)
+    {
+      allVertices += used[i];
+      newInputVertices += used[i] && carved.Mesh.Surface.PointSources[i] >= 0;
+      if (used[i] && carved.Mesh.Surface.PointSources[i] >= 0)
+      {
+        EXPECT_TRUE(givenPoints.count(points[i]));
+      }
+    }
+    EXPECT_GE(newInputVertices, inputVertices);
+    inputVertices = newInputVertices;
+    EXPECT_EQ(carved.Profile.Vertices[step], allVertices);
+    EXPECT_EQ(carved.Profile.Triangles[step], static_cast<int>(level.Faces.size()));
+
+    if (step == 0)
+    {
+      ExpectHull(carved, level);
+    }
+    else
+    {
+      ExpectSilhouetteToShrink(carved, coarser, level, samples, random);
+    }
+    coarser = level;
+  }
+  ExpectInput(carved, coarser);
+}

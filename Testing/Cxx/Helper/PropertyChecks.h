@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What must hold for every stream.
+ */
+#ifndef PropertyChecks_h
+#define PropertyChecks_h
+
+#include "Carver.h"
+#include "Classification.h"
+#include "Level.h"
+#include "Profile.h"
+#include "StoredStream.h"
+
+#include <random>
+
+struct Carved
+{
+  carving::Tetrahedralization Mesh;
+  carving::Classification Regions;
+  carving::Stream Stream;
+  carving::StoredStream<3> Stored;
+  carving::Profile Profile;
+};
+
+Carved CarveResult(const carving::Tetrahedralization& mesh,
+  const carving::CarveOptions& options = {},
+  carving::SolidRule rule = carving::SolidRule::NonzeroWinding);
+
+/** Properties 1 to 5, on some steps of the stream. */
+void ExpectProperties(
+  const carving::TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples);
+
+/**
+ * What the last level of closed solids bounds is where the given mesh winds around a point, at random
+ * points.
+ */
+void ExpectSolidByWinding(const carving::TriangleMesh& given, const Carved& carved,
+  const carving::Level<3>& last, std::mt19937_64& random);
+
+#endif

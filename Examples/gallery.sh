@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# usage: bash Examples/gallery.sh [FOLDER]
+# usage: bash Examples/gallery.sh [FOLDER [MESH...]]
 #
 # Installs what is needed, builds, makes models like those of the paper's figures, fetches meshes from a
-# Debian package, and renders their levels and a table of running times into FOLDER/index.html (by
-# default build/gallery).
+# Debian package, and renders their levels, and those of MESHes (OFF, PLY, OBJ, STL), and a table of
+# running times into FOLDER/index.html (by default build/gallery).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
-[ $# -le 1 ] || die "usage: bash Examples/gallery.sh [FOLDER]"
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
 # The models belong to the tests.
 build gallery-build -DBUILD_TESTING=ON
@@ -26,8 +25,8 @@ for name in $("$program/bin/carving-model" --list); do
   esac
   "$program/bin/carving-model" "$name" "$models/$name.$extension"
 done
-meshes=()
-for name in bones.off elephant.off; do
+meshes=("${@:2}")
+for name in bones.off elephant.off cheese.off; do
   meshes+=("$(cgal_mesh "$name")")
 done
 

@@ -51,7 +51,7 @@ int CountCrossings(const std::string& fileName, ErrorLog* log, std::string& erro
   CarverInput input;
   carving::Job job;
   carving::Reply reply;
-  error = ReadMesh(fileName, log, mesh);
+  error = ReadMesh(fileName, Wanted::Polygons, log, mesh);
   if (error.empty())
   {
     error = input.Gather(mesh);

@@ -114,7 +114,7 @@ std::string Unpack(const std::string& fileName, const MemoryFile& unpacked)
 
 } // namespace
 
-std::string ReadMesh(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, vtkPolyData* mesh)
 {
   using vtksys::SystemTools;
   if (!SystemTools::FileExists(fileName))
@@ -143,9 +143,12 @@ std::string ReadMesh(const std::string& fileName, ErrorLog* log, vtkPolyData* me
   {
     error = ReadFormat(fileName, SystemTools::GetFilenameLastExtension(plainName), log, mesh);
   }
-  if (error.empty() && mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0)
+  const bool hasLines = mesh->GetNumberOfLines() > 0;
+  if (error.empty() && mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0 &&
+    !(hasLines && wanted == Wanted::Contours))
   {
-    return "it holds no polygon, or is not of the format that its name says";
+    return hasLines ? "it holds lines and no polygon; for contours in a plane there is --contours"
+                    : "it holds no polygon, or is not of the format that its name says";
   }
   return error;
 }

@@ -43,6 +43,11 @@ OPTIONS
         other formats round coordinates; a warning is given where that makes a
         level cross itself.
 
+    --contours
+        The polygons and polylines of INPUT, which is .vtp or .vtk, lie in one plane:
+        carve their contours out of their convex hull in that plane. Read edge for
+        triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
+
     --stream OUT.vtu
         Write the whole carving: tetrahedra and triangles with the steps at which
         they vanish and appear.
@@ -252,6 +257,7 @@ std::string Parse(int argc, char* argv[], Options& options)
   // clang-format off
   const option known[] = {
     { "output", required_argument, nullptr, 'o' },
+    { "contours", no_argument, nullptr, 'c' },
     { "levels", required_argument, nullptr, 'l' },
     { "vertices", required_argument, nullptr, 't' },
     { "triangles", required_argument, nullptr, 't' },
@@ -294,6 +300,10 @@ std::string Parse(int argc, char* argv[], Options& options)
       case 'o':
         options.Output = optarg;
         error = LevelWriter::CheckName(options.Output);
+        break;
+      case 'c':
+        options.Contours = true;
+        options.CarvingOption = "--contours";
         break;
       case 'l':
       {
@@ -351,6 +361,11 @@ std::string Parse(int argc, char* argv[], Options& options)
   if (options.InitialApproximation == vtkTopologyCarver::CUSTOM && options.InitialMesh.empty())
   {
     return "--initial-approximation custom wants --initial-mesh FILE";
+  }
+  if (options.Contours && !EndsIn(options.Output, ".vtm") && !EndsIn(options.Output, ".vtp") &&
+    !options.Output.empty())
+  {
+    return "contours can be written to a name that ends in .vtm or .vtp only";
   }
   if (IsStream(options.Input) && !options.CarvingOption.empty())
   {

@@ -22,6 +22,7 @@ struct Options
   std::string InitialMesh; ///< for CUSTOM
   /** The first option that only carving can follow; empty if there is none. */
   std::string CarvingOption;
+  bool Contours = false; ///< the input is contours in a plane
   int NumberOfLevels = 8;
   std::vector<double> Targets;
   int TargetType = 0; ///< vtkTopologyCarver::LevelTargets

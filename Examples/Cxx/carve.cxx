@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * carve: the command-line program around vtkTopologyCarver.
+ * carve: the command-line program around vtkTopologyCarver and vtkContourCarver.
  */
 #include "ErrorLog.h"
 #include "LevelWriter.h"
@@ -10,11 +10,13 @@
 #include "StreamFile.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkContourCarver.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
@@ -55,7 +57,7 @@ private:
 /** One line on a terminal that is written over and over; nothing elsewhere. */
 void ShowProgress(vtkObject* caller, unsigned long, void*, void*)
 {
-  auto* carver = static_cast<vtkTopologyCarver*>(caller);
+  auto* carver = static_cast<vtkCarverAlgorithm*>(caller);
   const char* stage = carver->GetProgressText();
   std::fprintf(stderr, "\r%3.0f %% %-16s", 100.0 * carver->GetProgress(), stage ? stage : "");
 }
@@ -68,16 +70,16 @@ void EraseProgress()
   }
 }
 
-void PrintTable(vtkMultiBlockDataSet* levels)
+void PrintTable(vtkMultiBlockDataSet* levels, bool contours)
 {
-  std::printf("%5s %9s %10s %10s\n", "level", "step", "vertices", "triangles");
+  std::printf("%5s %9s %10s %10s\n", "level", "step", "vertices", contours ? "edges" : "triangles");
   for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
   {
     auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
     vtkDataArray* step = level->GetFieldData()->GetArray("Step");
     std::printf("%5u %9.0f %10lld %10lld\n", i, step->GetTuple1(0),
       static_cast<long long>(level->GetFieldData()->GetArray("Vertices")->GetTuple1(0)),
-      static_cast<long long>(level->GetNumberOfPolys()));
+      static_cast<long long>(level->GetNumberOfCells()));
   }
 }
 
@@ -102,7 +104,7 @@ int Finish(
   {
     std::cerr << "carve: warning: " << warning << "\n";
   }
-  PrintTable(levels);
+  PrintTable(levels, options.Contours);
   PrintNotes(levels);
   Clock clock;
   std::vector<std::string> written, warnings;
@@ -138,7 +140,7 @@ std::string Describe(const char* what, double seconds)
   return text;
 }
 
-void SetProperties(const Options& options, vtkTopologyCarver* carver)
+void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
 {
   carver->SetInitialApproximation(options.InitialApproximation);
   carver->SetPriorityMeasure(options.PriorityMeasure);
@@ -161,12 +163,17 @@ void SetProperties(const Options& options, vtkTopologyCarver* carver)
 int CarveMesh(const Options& options, ErrorLog* log)
 {
   Clock clock;
-  vtkNew<vtkTopologyCarver> carver;
+  vtkSmartPointer<vtkCarverAlgorithm> carver = vtkSmartPointer<vtkTopologyCarver>::New();
+  if (options.Contours)
+  {
+    carver = vtkSmartPointer<vtkContourCarver>::New();
+  }
   vtkNew<vtkPolyData> mesh, initial;
   for (const auto& [name, data] :
     { std::pair(options.Input, mesh.Get()), std::pair(options.InitialMesh, initial.Get()) })
   {
-    const std::string unreadable = name.empty() ? "" : ReadMesh(name, log, data);
+    const Wanted wanted = options.Contours ? Wanted::Contours : Wanted::Polygons;
+    const std::string unreadable = name.empty() ? "" : ReadMesh(name, wanted, log, data);
     if (!unreadable.empty())
     {
       return Fail("cannot read " + name + ": " + unreadable);

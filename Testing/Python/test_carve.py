@@ -10,7 +10,8 @@ import tempfile
 import unittest
 
 from meshes import two_cubes
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
@@ -68,12 +69,15 @@ class TestCarve(unittest.TestCase):
         for word in words:
             self.assertIn(word, lines[0])
 
-    def write_cubes(self, writer_class, name):
+    def write(self, writer_class, name, mesh):
         writer = writer_class()
         writer.SetFileName(self.path(name))
-        writer.SetInputData(plain_cubes())
+        writer.SetInputData(mesh)
         writer.Write()
         return self.path(name)
+
+    def write_cubes(self, writer_class, name):
+        return self.write(writer_class, name, plain_cubes())
 
     # What it prints
 
@@ -291,6 +295,25 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve("out.vtu", "--depth-exponent", "2"), 2, "--depth-exponent", "already")
         self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
         self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
+
+    def test_carves_contours(self):
+        """Contours go from their hull, a square on whose sides six of their points lie, to the U that they draw."""
+        corners = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
+        points, lines = vtkPoints(), vtkCellArray()
+        for x, y in corners:
+            points.InsertNextPoint(x, y, 0)
+        lines.InsertNextCell(len(corners) + 1)
+        for i in range(len(corners) + 1):
+            lines.InsertCellPoint(i % len(corners))
+        contour = vtkPolyData()
+        contour.SetPoints(points)
+        contour.SetLines(lines)
+        self.write(vtkXMLPolyDataWriter, "u.vtp", contour)
+        rows = self.table("u.vtp", "--contours", "-o", "levels.vtm")
+        self.assertEqual((rows[0][2:], rows[-1][2:]), ((6, 6), (8, 8)))
+        self.assertEqual(read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetNumberOfBlocks(), len(rows))
+        self.assertIn("--contours", self.run_carve("u.vtp").stderr)
+        self.assertEqual(self.run_carve("u.vtp", "--contours", "-o", "levels.stl").returncode, 2)
 
     def test_starts_from_a_given_mesh(self):
         """--initial-mesh is level 0; one that does not contain the input is refused."""

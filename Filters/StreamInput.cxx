@@ -12,6 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace
 {
@@ -117,6 +118,33 @@ int GetStreamDimension(vtkUnstructuredGrid* grid)
                                                                                                : 3;
 }
 
+std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile)
+{
+  vtkFieldData* fieldData = grid->GetFieldData();
+  std::vector<double> priorities;
+  std::vector<int> measure;
+  std::string mistake = ReadArray(fieldData, StreamArrays::ProfilePriority, -1, priorities);
+  const vtkIdType count = static_cast<vtkIdType>(priorities.size());
+  for (const auto& [name, length, values] :
+    { std::make_tuple(StreamArrays::Measure, vtkIdType(1), &measure),
+      std::make_tuple(StreamArrays::ProfileVertices, count, &profile.Vertices),
+      std::make_tuple(StreamArrays::ProfileTriangles, count, &profile.Triangles) })
+  {
+    mistake = mistake.empty() ? ReadArray(fieldData, name, length, *values) : mistake;
+  }
+  if (mistake.empty() && count == 0)
+  {
+    mistake = "its profile is empty.";
+  }
+  if (mistake.empty())
+  {
+    const auto known = static_cast<carving::PriorityMeasure>(measure[0]);
+    GetStreamDimension(grid) == 2 ? carving::SetPriorities<2>(profile, priorities, known)
+                                  : carving::SetPriorities<3>(profile, priorities, known);
+  }
+  return mistake;
+}
+
 template <int D>
 std::string ReadStream(
   vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
@@ -141,12 +169,7 @@ std::string ReadStream(
       ReadArray(grid->GetPointData(), StreamArrays::OriginalPoints, grid->GetNumberOfPoints(),
         stream.Mesh.Surface.PointSources),
       ReadArray(fieldData, StreamArrays::Measure, 1, measure),
-      ReadArray(fieldData, StreamArrays::BothFoldSides, 1, both),
-      ReadArray(fieldData, StreamArrays::ProfilePriority, -1, stream.Order.StepPriority),
-      ReadArray(fieldData, StreamArrays::ProfileVertices,
-        static_cast<vtkIdType>(stream.Order.StepPriority.size()), profile.Vertices),
-      ReadArray(fieldData, StreamArrays::ProfileTriangles,
-        static_cast<vtkIdType>(stream.Order.StepPriority.size()), profile.Triangles) })
+      ReadArray(fieldData, StreamArrays::BothFoldSides, 1, both), ReadProfile(grid, profile) })
   {
     if (!mistake.empty())
     {
@@ -172,9 +195,8 @@ std::string ReadStream(
   }
   stream.Measure = static_cast<carving::PriorityMeasure>(measure[0]);
   stream.Folds = both[0] != 0 ? carving::FoldSides::Both : carving::FoldSides::One;
-  carving::SetPriorities<D>(profile, stream.Order.StepPriority, stream.Measure);
-  if (profile.Vertices.empty() || !TurnsArePossible(stream, solidSides) ||
-    !carving::Connect(stream, solidSides))
+  stream.Order.StepPriority = profile.Priority;
+  if (!TurnsArePossible(stream, solidSides) || !carving::Connect(stream, solidSides))
   {
     return prefix + "its cells do not fit together." + Advice;
   }

@@ -16,6 +16,9 @@ class vtkUnstructuredGrid;
 /** 3 or 2 for a stream of tetrahedra or of triangles, 0 for a grid that is none. */
 int GetStreamDimension(vtkUnstructuredGrid* grid);
 
+/** Reads the profile from a stream's field data. Returns an empty string or what is wrong with it. */
+std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile);
+
 /**
  * Fills what levels need; `Mesh.Surface` lacks what only resolving uses. Returns an empty string, or
  * what is wrong with the grid: something else than an unchanged stream.

@@ -2,16 +2,19 @@
 #include "vtkCarverAlgorithm.h"
 
 #include "CarverSession.h"
+#include "ObjectExchange.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 //------------------------------------------------------------------------------
 vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
+  : Exchange(new ObjectExchange)
 {
   if (dimension == 2)
   {
@@ -23,10 +26,17 @@ vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
   }
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 //------------------------------------------------------------------------------
-vtkCarverAlgorithm::~vtkCarverAlgorithm() = default;
+vtkCarverAlgorithm::~vtkCarverAlgorithm()
+{
+  this->SetController(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkCxxSetObjectMacro(vtkCarverAlgorithm, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
 void vtkCarverAlgorithm::SetLevelTargetType(int type)
@@ -149,15 +159,36 @@ int vtkCarverAlgorithm::RequestData(
   settings.ManifoldOutput = this->ManifoldOutput;
   const CarverPorts ports = { vtkMultiBlockDataSet::GetData(out, 0), vtkDataObject::GetData(out, 1),
     vtkDataObject::GetData(out, 2) };
-  if (this->Session->Update(
-        vtkDataObject::GetData(in[0], 0), vtkPolyData::GetData(in[1], 0), settings, ports))
+  vtkSmartPointer<vtkDataObject> input = vtkDataObject::GetData(in[0], 0);
+  vtkSmartPointer<vtkPolyData> initial = vtkPolyData::GetData(in[1], 0);
+  this->Exchange->SetController(this->Controller);
+  const bool parallel = this->Exchange->IsParallel();
+  if (parallel)
   {
-    return 1;
+    int numberOfMerged = 0;
+    input = this->Exchange->Gather(input, numberOfMerged);
+    initial = this->Exchange->GatherOnAll(initial);
+    if (numberOfMerged > 0)
+    {
+      vtkWarningMacro(<< numberOfMerged
+                      << " object(s) were spread over several processes and have been "
+                      << "gathered on one, since an object can only be carved whole.");
+    }
   }
-  ports.Levels->Initialize();
-  ports.Stream->Initialize();
-  ports.Profile->Initialize();
-  return this->GetAbortExecute() ? 1 : 0;
+  const bool good = this->Session->Update(input, initial, settings, ports);
+  if (!good)
+  {
+    ports.Levels->Initialize();
+    ports.Stream->Initialize();
+    ports.Profile->Initialize();
+  }
+  if (parallel)
+  {
+    this->Exchange->Match(ports.Levels);
+    this->Exchange->Match(ports.Stream);
+    this->Exchange->Match(ports.Profile);
+  }
+  return good || this->GetAbortExecute() ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

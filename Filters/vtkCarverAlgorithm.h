@@ -16,6 +16,8 @@
 #include <vector> // for the level targets
 
 class CarverSessionBase;
+class ObjectExchange;
+class vtkMultiProcessController;
 
 class VTKTOPOLOGYCARVING_EXPORT vtkCarverAlgorithm : public vtkMultiBlockDataSetAlgorithm
 {
@@ -234,6 +236,17 @@ public:
   double GetStageSeconds(int stage);
   ///@}
 
+  ///@{
+  /**
+   * The processes that share the work of a parallel run; by default the global controller, which there
+   * is under MPI only. Every object, the input or a leaf of it, is carved whole by one process: the one
+   * that has it, or, with a warning, the lowest of those that it is spread over. The others get the same
+   * blocks with null or empty data in them.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
 protected:
   /** 3 for meshes in space, 2 for contours in a plane. */
   explicit vtkCarverAlgorithm(int dimension);
@@ -264,7 +277,9 @@ private:
   vtkCarverAlgorithm(const vtkCarverAlgorithm&) = delete;
   void operator=(const vtkCarverAlgorithm&) = delete;
 
+  vtkMultiProcessController* Controller = nullptr;
   std::unique_ptr<CarverSessionBase> Session;
+  std::unique_ptr<ObjectExchange> Exchange;
 };
 
 #endif

@@ -4,16 +4,21 @@
 #include "LevelOutput.h"
 #include "LevelSelection.h"
 #include "StreamInput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <list>
+#include <numeric>
+#include <vector>
 
 namespace
 {
@@ -28,7 +33,23 @@ struct Prepared
   // One of them, by the stream's dimension.
   carving::StoredStream<3> Space;
   carving::StoredStream<2> Plane;
+  /** The steps of the levels that stand for so many times. */
+  int NumberOfTimes = 0;
+  std::vector<int> StepsOfTimes;
 };
+
+/** The step for a time; where there are fewer levels than times, some show twice. */
+int StepOfTime(Prepared& stream, double time, int numberOfTimes)
+{
+  if (stream.NumberOfTimes != numberOfTimes)
+  {
+    stream.NumberOfTimes = numberOfTimes;
+    stream.StepsOfTimes = carving::SpreadLevels(stream.Profile, numberOfTimes);
+  }
+  const double last = static_cast<double>(stream.StepsOfTimes.size()) - 1.0;
+  const double fraction = std::clamp(time / (numberOfTimes - 1), 0.0, 1.0);
+  return stream.StepsOfTimes[static_cast<std::size_t>(std::lround(fraction * last))];
+}
 
 } // namespace
 
@@ -88,6 +109,58 @@ int vtkExtractCarvedLOD::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::OfferTimes(vtkInformation* input, vtkInformation* output)
+{
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  // Some readers give a single time step to what does not change.
+  if (input->Has(vtkSDDP::TIME_STEPS()) && input->Length(vtkSDDP::TIME_STEPS()) > 1)
+  {
+    return false;
+  }
+  if (!this->FollowTime)
+  {
+    output->Remove(vtkSDDP::TIME_STEPS());
+    output->Remove(vtkSDDP::TIME_RANGE());
+    return false;
+  }
+  std::vector<double> times(this->NumberOfTimeSteps);
+  std::iota(times.begin(), times.end(), 0.0);
+  const double range[] = { times.front(), times.back() };
+  output->Set(vtkSDDP::TIME_STEPS(), times.data(), this->NumberOfTimeSteps);
+  output->Set(vtkSDDP::TIME_RANGE(), range, 2);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+int vtkExtractCarvedLOD::RequestInformation(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  this->OffersTime = this->OfferTimes(in[0]->GetInformationObject(0), out->GetInformationObject(0));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
+{
+  range[0] = range[1] = 0.0;
+  bool found = false;
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
+  {
+    carving::Profile profile;
+    if (ReadProfile(grid, profile).empty())
+    {
+      const auto [least, greatest] = carving::GetTargetRange(profile, carving::ToLevelTarget(type));
+      range[0] = found ? std::min(range[0], least) : least;
+      range[1] = found ? std::max(range[1], greatest) : greatest;
+      found = true;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
 int vtkExtractCarvedLOD::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
@@ -98,14 +171,26 @@ int vtkExtractCarvedLOD::RequestData(
   {
     return 1; // the stream of nothing
   }
-  const Prepared& stream = this->Streams->Get(grid);
+  Prepared& stream = this->Streams->Get(grid);
   if (!stream.Error.empty())
   {
     vtkErrorMacro(<< stream.Error);
     return 0;
   }
-  const carving::SelectedStep selected = carving::SelectStep(
-    stream.Profile, carving::ToLevelTarget(this->LevelTargetType), this->LevelTarget);
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = out->GetInformationObject(0);
+  carving::SelectedStep selected;
+  if (this->OffersTime && outInfo->Has(vtkSDDP::UPDATE_TIME_STEP()))
+  {
+    const double time = outInfo->Get(vtkSDDP::UPDATE_TIME_STEP());
+    selected.Step = StepOfTime(stream, time, this->NumberOfTimeSteps);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  else
+  {
+    selected = carving::SelectStep(
+      stream.Profile, carving::ToLevelTarget(this->LevelTargetType), this->LevelTarget);
+  }
   if (!selected.Problem.empty())
   {
     vtkWarningMacro(<< selected.Problem);
@@ -129,4 +214,6 @@ void vtkExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
      << carving::LevelTargetName(static_cast<carving::LevelTarget>(this->LevelTargetType)) << "\n";
   os << indent << "LevelTarget: " << this->LevelTarget << "\n";
   os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
+  os << indent << "FollowTime: " << (this->FollowTime ? "On" : "Off") << "\n";
+  os << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";
 }

@@ -58,6 +58,36 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Whether the pipeline's time picks the level, so that an animation shows the carving: the times 0, 1,
+   * ... NumberOfTimeSteps - 1 stand for levels spread from C0 to M as by the carver's NumberOfLevels. If
+   * off, if no time is asked for, or if the input has time steps of its own, the target picks it.
+   * Default on.
+   */
+  vtkSetMacro(FollowTime, bool);
+  vtkGetMacro(FollowTime, bool);
+  vtkBooleanMacro(FollowTime, bool);
+  ///@}
+
+  /**
+   * Adds the time steps that FollowTime offers to the information of an output port, unless the input's
+   * has some of its own, and returns whether it has: for filters that contain this one.
+   */
+  bool OfferTimes(vtkInformation* input, vtkInformation* output);
+
+  ///@{
+  /** The number of time steps that FollowTime offers, at least 2. Default 50. */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 2, VTK_INT_MAX);
+  vtkGetMacro(NumberOfTimeSteps, int);
+  ///@}
+
+  /**
+   * The least and the greatest target of a type that pick different levels of the input as it is now,
+   * of all its streams together. Returns false, and 0 and 0, if there is none.
+   */
+  bool GetLevelTargetRange(int type, double range[2]);
+
+  ///@{
   /** Whether the level is cut into oriented manifolds, as in vtkTopologyCarver. Default on. */
   vtkSetMacro(ManifoldOutput, bool);
   vtkGetMacro(ManifoldOutput, bool);
@@ -69,12 +99,16 @@ protected:
   ~vtkExtractCarvedLOD() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
   int LevelTargetType = VERTICES;
   double LevelTarget = 1000.0;
   bool ManifoldOutput = true;
+  bool FollowTime = true;
+  int NumberOfTimeSteps = 50;
 
 private:
   vtkExtractCarvedLOD(const vtkExtractCarvedLOD&) = delete;
@@ -82,6 +116,7 @@ private:
 
   class Internals;
   std::unique_ptr<Internals> Streams;
+  bool OffersTime = false;
 };
 
 #endif

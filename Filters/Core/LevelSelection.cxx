@@ -91,6 +91,31 @@ SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target)
   }
 }
 
+std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type)
+{
+  const auto rangeOf = [](const std::vector<int>& counts)
+  {
+    return std::array<double, 2>{ static_cast<double>(counts.front()),
+      static_cast<double>(*std::max_element(counts.begin(), counts.end())) };
+  };
+  switch (type)
+  {
+    case LevelTarget::Triangles:
+      return rangeOf(profile.Triangles);
+    case LevelTarget::FeatureSize:
+    {
+      // The sizes of C0 and, where nothing is carved, of all are infinite.
+      const auto& sizes = profile.FeatureSize;
+      return sizes.size() > 1 ? std::array<double, 2>{ sizes.back(), sizes[1] }
+                              : std::array<double, 2>{ 0.0, 0.0 };
+    }
+    case LevelTarget::Step:
+      return { 0.0, static_cast<double>(profile.LastStep()) };
+    default:
+      return rangeOf(profile.Vertices);
+  }
+}
+
 std::vector<int> SpreadLevels(const Profile& profile, int count)
 {
   const int last = profile.LastStep();

@@ -8,6 +8,7 @@
 
 #include "Profile.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct SelectedStep
  * met gives the nearest step.
  */
 SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target);
+
+/** The least and the greatest target that pick different levels. */
+std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type);
 
 } // namespace carving
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPVExtractCarvedLOD.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkPVExtractCarvedLOD);
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetRange(int type, double target)
+{
+  if (!this->GetLevelTargetRange(type, this->Range))
+  {
+    this->Range[1] = 2.0 * target;
+  }
+  return this->Range;
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetVertexRange()
+{
+  return this->GetRange(VERTICES, this->VertexTarget);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetTriangleRange()
+{
+  return this->GetRange(TRIANGLES, this->TriangleTarget);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetFeatureSizeRange()
+{
+  return this->GetRange(FEATURE_SIZE, this->FeatureSizeTarget);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetStepRange()
+{
+  return this->GetRange(STEP, this->StepTarget);
+}
+
+//------------------------------------------------------------------------------
+int vtkPVExtractCarvedLOD::RequestData(
+  vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
+{
+  // Not by the setter, which would mark the filter as changed while it executes.
+  switch (this->LevelTargetType)
+  {
+    case TRIANGLES:
+      this->LevelTarget = this->TriangleTarget;
+      break;
+    case FEATURE_SIZE:
+      this->LevelTarget = this->FeatureSizeTarget;
+      break;
+    case STEP:
+      this->LevelTarget = this->StepTarget;
+      break;
+    default:
+      this->LevelTarget = this->VertexTarget;
+      break;
+  }
+  return this->Superclass::RequestData(request, in, out);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VertexTarget: " << this->VertexTarget << "\n";
+  os << indent << "TriangleTarget: " << this->TriangleTarget << "\n";
+  os << indent << "FeatureSizeTarget: " << this->FeatureSizeTarget << "\n";
+  os << indent << "StepTarget: " << this->StepTarget << "\n";
+}

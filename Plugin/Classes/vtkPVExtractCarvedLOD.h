@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkPVExtractCarvedLOD
+ * @brief vtkExtractCarvedLOD with a target for each type, as a panel with a slider for each needs it
+ *
+ * LevelTarget is set from the target of the current LevelTargetType.
+ */
+#ifndef vtkPVExtractCarvedLOD_h
+#define vtkPVExtractCarvedLOD_h
+
+#include "vtkExtractCarvedLOD.h"
+#include "vtkTopologyCarvingParaViewModule.h" // for export macro
+
+class VTKTOPOLOGYCARVINGPARAVIEW_EXPORT vtkPVExtractCarvedLOD : public vtkExtractCarvedLOD
+{
+public:
+  static vtkPVExtractCarvedLOD* New();
+  vtkTypeMacro(vtkPVExtractCarvedLOD, vtkExtractCarvedLOD);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The LevelTarget of each LevelTargetType; each is of use only while its type is set. */
+  vtkSetClampMacro(VertexTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VertexTarget, int);
+  vtkSetClampMacro(TriangleTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(TriangleTarget, int);
+  vtkSetClampMacro(FeatureSizeTarget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FeatureSizeTarget, double);
+  vtkSetClampMacro(StepTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(StepTarget, int);
+  ///@}
+
+  ///@{
+  /**
+   * The range of each target in the input as it is now. As long as there is none, a range in whose middle
+   * the target is, since that is where ParaView puts a slider first.
+   */
+  double* GetVertexRange() VTK_SIZEHINT(2);
+  double* GetTriangleRange() VTK_SIZEHINT(2);
+  double* GetFeatureSizeRange() VTK_SIZEHINT(2);
+  double* GetStepRange() VTK_SIZEHINT(2);
+  ///@}
+
+protected:
+  vtkPVExtractCarvedLOD() = default;
+  ~vtkPVExtractCarvedLOD() override = default;
+
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+
+  int VertexTarget = 1000;
+  int TriangleTarget = 2000;
+  double FeatureSizeTarget = 0.0;
+  int StepTarget = 0;
+
+private:
+  vtkPVExtractCarvedLOD(const vtkPVExtractCarvedLOD&) = delete;
+  void operator=(const vtkPVExtractCarvedLOD&) = delete;
+
+  double* GetRange(int type, double target);
+
+  double Range[2] = { 0.0, 0.0 };
+};
+
+#endif

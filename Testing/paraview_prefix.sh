@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# usage: bash Testing/paraview_prefix.sh FOLDER
+#
+# Makes FOLDER/usr: ParaView, its headers and its Python modules, without installing python3-paraview,
+# which excludes the python3-vtk9 that the VTK module is tested with. paraview and paraview-dev have to
+# be installed: their files are linked.
+set -euo pipefail
+folder=$(realpath -m "$1")
+[ -e "$folder/.complete" ] && exit
+rm -rf "$folder"
+mkdir -p "$folder"
+dpkg -L paraview paraview-dev | sort -u | while read -r path; do
+  if [ -f "$path" ] || [ -L "$path" ]; then
+    printf '%s\0' "$path"
+  fi
+done | xargs -0 cp --parents --symbolic-link --no-dereference --target-directory="$folder"
+(
+  cd "$folder"
+  apt-get -qq -o APT::Sandbox::User=root download python3-paraview
+  dpkg-deb -x python3-paraview_*.deb .
+  rm python3-paraview_*.deb
+)
+touch "$folder/.complete"

@@ -2,10 +2,13 @@
 #include "ObjectExchange.h"
 
 #include "CompositeTree.h"
+#include "StreamOutput.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -49,6 +52,43 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   }
   append->Update();
   return append->GetOutput();
+}
+
+/** Writes the numeric arrays; of texts, other processes have no need. */
+void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
+{
+  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = fieldData->GetArray(i))
+    {
+      vtkNew<vtkDoubleArray> numbers;
+      numbers->DeepCopy(array);
+      stream << std::string(array->GetName()) << array->GetDataType()
+             << static_cast<int>(array->GetNumberOfTuples());
+      stream.Push(numbers->GetPointer(0), static_cast<unsigned int>(array->GetNumberOfTuples()));
+    }
+  }
+}
+
+/** Reads arrays, all of one component, as long as there are any. */
+void ReadNumbers(vtkMultiProcessStream& stream, vtkFieldData* fieldData)
+{
+  while (!stream.Empty())
+  {
+    std::string name;
+    int type = 0, count = 0;
+    stream >> name >> type >> count;
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->SetNumberOfValues(count);
+    double* values = numbers->GetPointer(0);
+    unsigned int length = static_cast<unsigned int>(count);
+    stream.Pop(values, length);
+    vtkSmartPointer<vtkDataArray> array;
+    array.TakeReference(vtkDataArray::CreateDataArray(type));
+    array->DeepCopy(numbers);
+    array->SetName(name.c_str());
+    fieldData->AddArray(array);
+  }
 }
 
 } // namespace
@@ -143,7 +183,7 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node, i
 vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int& numberOfMerged)
 {
   const std::size_t index = this->NextLeaf++;
-  this->Cache.resize(std::max(this->Cache.size(), this->NextLeaf), Merged{ 0, nullptr });
+  this->Cache.resize(std::max(this->Cache.size(), this->NextLeaf));
   Merged& merged = this->Cache[index];
   const std::vector<int> sizes = this->All(leaf && leaf->GetNumberOfCells() > 0 ? 1 : 0);
   const auto owner = std::find(sizes.begin(), sizes.end(), 1);
@@ -151,7 +191,7 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int
   const int self = this->Controller->GetLocalProcessId();
   if (owners < 2)
   {
-    merged = { 0, nullptr };
+    merged = {};
     return owner == sizes.begin() + self ? leaf : nullptr;
   }
   const vtkMTimeType time = leaf ? leaf->GetMTime() : 0;
@@ -174,14 +214,15 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int
 
 vtkSmartPointer<vtkPolyData> ObjectExchange::GatherOnAll(vtkPolyData* mesh)
 {
-  if (this->Largest(mesh != nullptr) == 0)
+  const vtkMTimeType time = mesh ? mesh->GetMTime() : 0;
+  if (this->Largest(time != this->OnAll.Time) != 0)
   {
-    return nullptr;
+    vtkNew<vtkPolyData> nothing;
+    std::vector<vtkSmartPointer<vtkDataObject>> parts;
+    this->Controller->AllGather(mesh ? mesh : nothing.Get(), parts);
+    this->OnAll = { time, Append(parts) };
   }
-  vtkNew<vtkPolyData> nothing;
-  std::vector<vtkSmartPointer<vtkDataObject>> parts;
-  this->Controller->AllGather(mesh ? mesh : nothing.Get(), parts);
-  return Append(parts);
+  return this->OnAll.Mesh;
 }
 
 void ObjectExchange::Match(vtkDataObject* output)
@@ -219,17 +260,22 @@ void ObjectExchange::Match(vtkDataObject* output)
 
 void ObjectExchange::MatchFieldData(vtkDataObject* leaf)
 {
-  const std::vector<int> sizes = this->All(leaf->GetFieldData()->GetNumberOfArrays());
-  const auto owner = std::find_if(sizes.begin(), sizes.end(), [](int size) { return size > 0; });
-  if (owner == sizes.end())
+  vtkFieldData* fieldData = leaf->GetFieldData();
+  const bool own = fieldData->HasArray(StreamArrays::ProfilePriority) != 0;
+  const std::vector<int> owners = this->All(own);
+  const auto owner = std::find(owners.begin(), owners.end(), 1);
+  if (owner == owners.end())
   {
     return;
   }
-  vtkNew<vtkPolyData> carrier;
-  if (*owner > 0)
+  vtkMultiProcessStream stream;
+  if (own)
   {
-    carrier->GetFieldData()->ShallowCopy(leaf->GetFieldData());
+    WriteNumbers(fieldData, stream);
   }
-  this->Controller->Broadcast(carrier, static_cast<int>(owner - sizes.begin()));
-  leaf->GetFieldData()->ShallowCopy(carrier->GetFieldData());
+  this->Controller->Broadcast(stream, static_cast<int>(owner - owners.begin()));
+  if (!own)
+  {
+    ReadNumbers(stream, fieldData);
+  }
 }

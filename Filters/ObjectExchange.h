@@ -35,7 +35,7 @@ public:
    */
   vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, int& numberOfMerged);
 
-  /** All parts of a mesh, on every process. */
+  /** All parts of a mesh, on every process; the same as before if no process has changed its part. */
   vtkSmartPointer<vtkPolyData> GatherOnAll(vtkPolyData* mesh);
 
   /**
@@ -48,7 +48,7 @@ public:
 private:
   struct Merged
   {
-    vtkMTimeType Time;
+    vtkMTimeType Time = 0; ///< of the part that this process gave
     vtkSmartPointer<vtkPolyData> Mesh;
   };
 
@@ -62,6 +62,7 @@ private:
   vtkMultiProcessController* Controller = nullptr;
   std::vector<Merged> Cache; ///< one entry for each leaf, in the order of the tree
   std::size_t NextLeaf = 0;
+  Merged OnAll;
 };
 
 #endif

@@ -77,14 +77,6 @@ constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "outp
 constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.93,
   1.0 };
 
-void SetName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name)
-{
-  if (!name.empty())
-  {
-    parent->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name);
-  }
-}
-
 } // namespace
 
 const char* GetCarverStageName(int stage)
@@ -298,7 +290,7 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     vtkNew<vtkPolyData> level;
     FillLevel(result.Stream, result.Profile, grid, steps[i], this->Settings.ManifoldOutput, level);
     ports.Levels->SetBlock(i, level);
-    SetName(ports.Levels, i, "LOD " + std::to_string(i));
+    SetBlockName(ports.Levels, i, "LOD " + std::to_string(i));
     if (!this->Report(OutputStage, (i + 1.0) / (count + 1.0)))
     {
       return false;
@@ -359,7 +351,7 @@ bool CarverSession<D>::CarveTree(vtkDataObject* input, const CarverPorts& ports)
     for (int port = 0; port < 3; ++port)
     {
       parents[port]->SetBlock(i, results[port]);
-      SetName(parents[port], i, child.Name);
+      SetBlockName(parents[port], i, child.Name);
     }
   }
   return true;

@@ -10,6 +10,8 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkInformationVector;
+class vtkMultiBlockDataSet;
 
 struct CompositeChild
 {
@@ -22,5 +24,11 @@ struct CompositeChild
  * composite that is not a tree of those (AMR, say).
  */
 bool GetChildren(vtkDataObject* composite, std::vector<CompositeChild>& children);
+
+/** Names a block, unless the name is empty. */
+void SetBlockName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name);
+
+/** Makes the data object of an output port one of a class, if it is not. */
+void SetOutputClass(vtkInformationVector* out, int port, const char* className);
 
 #endif

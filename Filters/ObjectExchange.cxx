@@ -171,11 +171,7 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node, i
   for (unsigned int i = 0; i < children.size(); ++i)
   {
     blocks->SetBlock(i, this->GatherNode(children[i].Data, numberOfMerged));
-    const std::string name = this->First(children[i].Name);
-    if (!name.empty())
-    {
-      blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name);
-    }
+    SetBlockName(blocks, i, this->First(children[i].Name));
   }
   return blocks;
 }
@@ -247,10 +243,7 @@ void ObjectExchange::Match(vtkDataObject* output)
       child.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
       blocks->SetBlock(i, child);
     }
-    if (!name.empty())
-    {
-      blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name);
-    }
+    SetBlockName(blocks, i, name);
     if (!type.empty() && type != "vtkPolyData")
     {
       this->Match(child);

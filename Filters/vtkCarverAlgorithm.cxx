@@ -2,9 +2,9 @@
 #include "vtkCarverAlgorithm.h"
 
 #include "CarverSession.h"
+#include "CompositeTree.h"
 #include "ObjectExchange.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -128,13 +128,7 @@ int vtkCarverAlgorithm::RequestDataObject(
     composite ? "vtkMultiBlockDataSet" : "vtkTable" };
   for (int port = 0; port < 3; ++port)
   {
-    vtkDataObject* current = vtkDataObject::GetData(out, port);
-    if (!current || !current->IsA(types[port]))
-    {
-      vtkSmartPointer<vtkDataObject> output;
-      output.TakeReference(vtkDataObjectTypes::NewDataObject(types[port]));
-      out->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), output);
-    }
+    SetOutputClass(out, port, types[port]);
   }
   return 1;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractCarvedLOD.h"
 
+#include "CompositeTree.h"
 #include "LevelOutput.h"
 #include "LevelSelection.h"
 #include "StreamInput.h"
@@ -8,6 +9,8 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -102,9 +105,31 @@ void vtkExtractCarvedLOD::SetLevelTargetType(int type)
 }
 
 //------------------------------------------------------------------------------
+vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
+    SetOutputClass(out, 0, composite ? "vtkMultiBlockDataSet" : "vtkPolyData");
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, in, out);
+}
+
+//------------------------------------------------------------------------------
 int vtkExtractCarvedLOD::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  // Declared too, since the pipeline offers no time when it feeds the leaves one by one.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkExtractCarvedLOD::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // follows the input's
   return 1;
 }
 
@@ -164,27 +189,78 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
 int vtkExtractCarvedLOD::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
-  auto* grid = vtkUnstructuredGrid::GetData(in[0]);
-  auto* output = vtkPolyData::GetData(out);
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = out->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(outInfo);
   output->GetFieldData()->Initialize(); // the pipeline has passed the stream's
+  const bool byTime = this->OffersTime && outInfo->Has(vtkSDDP::UPDATE_TIME_STEP());
+  const double time = byTime ? outInfo->Get(vtkSDDP::UPDATE_TIME_STEP()) : 0.0;
+  if (byTime)
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  auto* levels = vtkMultiBlockDataSet::SafeDownCast(output);
+  const bool good = levels
+    ? this->ExtractTree(vtkDataObject::GetData(in[0]), byTime ? &time : nullptr, levels)
+    : this->ExtractLeaf(vtkUnstructuredGrid::GetData(in[0]), byTime ? &time : nullptr,
+        vtkPolyData::SafeDownCast(output));
+  return good ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::ExtractTree(
+  vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels)
+{
+  std::vector<CompositeChild> children;
+  if (!GetChildren(tree, children))
+  {
+    vtkErrorMacro(<< "A " << tree->GetClassName() << " is not the stream of a carver.");
+    return false;
+  }
+  levels->SetNumberOfBlocks(static_cast<unsigned int>(children.size()));
+  for (unsigned int i = 0; i < children.size(); ++i)
+  {
+    vtkDataObject* child = children[i].Data;
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(child))
+    {
+      vtkNew<vtkPolyData> level;
+      this->ExtractLeaf(grid, time, level); // has said so if it failed; the others still come out
+      levels->SetBlock(i, level);
+    }
+    else if (child && child->IsA("vtkCompositeDataSet"))
+    {
+      vtkNew<vtkMultiBlockDataSet> subtree;
+      this->ExtractTree(child, time, subtree);
+      levels->SetBlock(i, subtree);
+    }
+    else if (child)
+    {
+      vtkErrorMacro(<< "Block " << i << " \"" << children[i].Name << "\" is a "
+                    << child->GetClassName() << ", not the stream of a carver.");
+    }
+    SetBlockName(levels, i, children[i].Name);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::ExtractLeaf(
+  vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level)
+{
   if (grid->GetNumberOfCells() == 0)
   {
-    return 1; // the stream of nothing
+    return true; // the stream of nothing
   }
   Prepared& stream = this->Streams->Get(grid);
   if (!stream.Error.empty())
   {
     vtkErrorMacro(<< stream.Error);
-    return 0;
+    return false;
   }
-  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* outInfo = out->GetInformationObject(0);
-  carving::SelectedStep selected;
-  if (this->OffersTime && outInfo->Has(vtkSDDP::UPDATE_TIME_STEP()))
+  carving::SelectedStep selected = { 0, {} };
+  if (time)
   {
-    const double time = outInfo->Get(vtkSDDP::UPDATE_TIME_STEP());
-    selected.Step = StepOfTime(stream, time, this->NumberOfTimeSteps);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    selected.Step = StepOfTime(stream, *time, this->NumberOfTimeSteps);
   }
   else
   {
@@ -197,13 +273,13 @@ int vtkExtractCarvedLOD::RequestData(
   }
   if (GetStreamDimension(grid) == 2)
   {
-    FillLevel(stream.Plane, stream.Profile, grid, selected.Step, this->ManifoldOutput, output);
+    FillLevel(stream.Plane, stream.Profile, grid, selected.Step, this->ManifoldOutput, level);
   }
   else
   {
-    FillLevel(stream.Space, stream.Profile, grid, selected.Step, this->ManifoldOutput, output);
+    FillLevel(stream.Space, stream.Profile, grid, selected.Step, this->ManifoldOutput, level);
   }
-  return 1;
+  return true;
 }
 
 //------------------------------------------------------------------------------

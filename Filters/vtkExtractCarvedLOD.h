@@ -9,7 +9,8 @@
  * Nothing is carved again. The first request prepares the stream; all later ones, whatever the target,
  * take time proportional to the size of the stream, milliseconds for 150,000 tetrahedra.
  *
- * Of a composite input each stream gives its level.
+ * Of a composite input each stream gives its level; the output is then a vtkMultiBlockDataSet with the
+ * same tree, which GetOutputDataObject(0) returns.
  *
  * **Errors** are reported through vtkErrorMacro, and the output is then empty: an input that is not a
  * stream or not a whole one.
@@ -21,6 +22,9 @@
 #include "vtkTopologyCarvingModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+
+class vtkMultiBlockDataSet;
+class vtkUnstructuredGrid;
 
 class VTKTOPOLOGYCARVING_EXPORT vtkExtractCarvedLOD : public vtkPolyDataAlgorithm
 {
@@ -98,7 +102,10 @@ protected:
   vtkExtractCarvedLOD();
   ~vtkExtractCarvedLOD() override;
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
   int RequestData(
@@ -117,6 +124,10 @@ private:
   class Internals;
   std::unique_ptr<Internals> Streams;
   bool OffersTime = false;
+
+  /** `time` is null where the target picks the level. Return false after an error. */
+  bool ExtractLeaf(vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level);
+  bool ExtractTree(vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels);
 };
 
 #endif

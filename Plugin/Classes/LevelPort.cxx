@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelPort.h"
 
+#include "CompositeTree.h"
 #include "vtkCarverAlgorithm.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -53,14 +53,8 @@ vtkSmartPointer<vtkInformationVector> LevelPort::GetCarverPorts(vtkInformationVe
 
 void LevelPort::RequestDataObject(vtkInformationVector** in, vtkInformationVector* out)
 {
-  const char* type = vtkCompositeDataSet::GetData(in[0]) ? "vtkMultiBlockDataSet" : "vtkPolyData";
-  vtkDataObject* current = vtkDataObject::GetData(out, 0);
-  if (!current || !current->IsA(type))
-  {
-    vtkSmartPointer<vtkDataObject> level;
-    level.TakeReference(vtkDataObjectTypes::NewDataObject(type));
-    out->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), level);
-  }
+  SetOutputClass(
+    out, 0, vtkCompositeDataSet::GetData(in[0]) ? "vtkMultiBlockDataSet" : "vtkPolyData");
 }
 
 void LevelPort::RequestInformation(vtkInformationVector** in, vtkInformationVector* out)
@@ -111,12 +105,18 @@ int LevelPort::RequestData(vtkMTimeType time, vtkInformationVector** in, vtkInfo
     }
   }
   using vtkSDDP = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* levelInfo = out->GetInformationObject(0);
-  vtkDataObject* level = vtkDataObject::GetData(levelInfo);
+  vtkDataObject* level = vtkDataObject::GetData(out, 0);
   this->Extractor->SetInputDataObject(this->Kept[StreamPort]);
-  if (this->OffersTime && levelInfo->Has(vtkSDDP::UPDATE_TIME_STEP()))
+  // Where another port is asked for first, it is the only one to know the time.
+  vtkInformation* asked = nullptr;
+  for (int port = NumberOfCarverPorts; port >= 0 && this->OffersTime; --port)
   {
-    const double now = levelInfo->Get(vtkSDDP::UPDATE_TIME_STEP());
+    vtkInformation* info = out->GetInformationObject(port);
+    asked = info->Has(vtkSDDP::UPDATE_TIME_STEP()) ? info : asked;
+  }
+  if (asked)
+  {
+    const double now = asked->Get(vtkSDDP::UPDATE_TIME_STEP());
     this->Extractor->UpdateTimeStep(now);
     level->ShallowCopy(this->Extractor->GetOutputDataObject(0));
     level->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), now);

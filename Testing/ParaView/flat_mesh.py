@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A flat mesh, which cannot be carved, and then one that can."""
+from paraview import simple
+from scene import counts, open_model
+
+flat = simple.TopologyCarver(Input=simple.Triangulate(Input=simple.Plane()))
+assert counts(flat) == (0, 0)
+carver = simple.TopologyCarver(Input=open_model("two-spheres.ply"))
+assert counts(carver)[1] > 0
+print("carved the next one")

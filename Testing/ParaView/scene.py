@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the scripts for pvbatch have in common. MODELS is the folder of models, TOPOLOGYCARVING_PLUGIN the plugin."""
+import os
+import sys
+
+from paraview import simple
+
+MODELS = os.environ["MODELS"]
+simple._DisableFirstRenderCameraReset()
+simple.LoadPlugin(os.environ["TOPOLOGYCARVING_PLUGIN"], remote=False, ns=simple.__dict__)
+
+LEVEL, ALL_LEVELS, STREAM, PROFILE = range(4)
+
+
+def open_model(name):
+    return simple.OpenDataFile(os.path.join(MODELS, name))
+
+
+def counts(proxy, port=0, time=0.0):
+    """Points and cells of an output, once it is up to date."""
+    proxy.UpdatePipeline(time)
+    information = simple.OutputPort(proxy, port).GetDataInformation()
+    return information.GetNumberOfPoints(), information.GetNumberOfCells()
+
+
+def fetch(proxy, port=LEVEL):
+    """An output as a VTK data object."""
+    return simple.servermanager.Fetch(proxy, idx=port)
+
+
+def numbers(proxy, name):
+    """The values of an information property."""
+    proxy.UpdatePipelineInformation()
+    found = proxy.SMProxy.GetProperty(name)
+    return [found.GetElement(i) for i in range(found.GetNumberOfElements())]
+
+
+def run_tests(unittest):
+    """Like unittest.main, which would take pvbatch's own arguments for its own."""
+    result = unittest.main(argv=["test"], exit=False, verbosity=2).result
+    sys.stderr.flush()
+    if not result.wasSuccessful():
+        print("FAILED", flush=True)
+        os._exit(1)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Carving in any number of processes gives what it gives in one.
+
+The expected numbers are those of one process that reads the same files through VTK's reader, so that
+the script is its own reference when it runs in one.
+"""
+import os
+import unittest
+
+import scene
+from paraview import simple
+from scene import ALL_LEVELS, LEVEL, MODELS, PROFILE, STREAM, counts, numbers
+
+POINTS, TRIANGLES = 8 * 642, 8 * 1280
+
+# Each process has the part of a mesh, or the blocks, that this gives it.
+SPREAD = """
+import os
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+controller = vtkMultiProcessController.GetGlobalController()
+count, rank = controller.GetNumberOfProcesses(), controller.GetLocalProcessId()
+
+def read(name):
+    reader = vtkPLYReader()
+    reader.SetFileName(os.path.join({folder!r}, name))
+    reader.Update()
+    return reader.GetOutput()
+
+def part(mesh):
+    result, polys = vtkPolyData(), vtkCellArray()
+    result.SetPoints(mesh.GetPoints())
+    total = mesh.GetNumberOfCells()
+    for i in range(total * rank // count, total * (rank + 1) // count):
+        polys.InsertNextCell(mesh.GetCell(i).GetPointIds())
+    result.SetPolys(polys)
+    return result
+
+output = self.GetOutputDataObject(0)
+"""
+MESH_IN_PARTS = SPREAD + """
+output.ShallowCopy(part(read("eight-spheres.ply")))
+"""
+BLOCKS = SPREAD + """
+names = ["eight-spheres.ply", "two-spheres.ply", "eight-spheres.ply"]
+output.SetNumberOfBlocks(len(names))
+for i, name in enumerate(names):
+    if i % count == rank:
+        output.SetBlock(i, read(name))
+    output.GetMetaData(i).Set(output.NAME(), "block %d" % i)
+"""
+
+
+def make_source(script, kind):
+    return simple.ProgrammableSource(
+        Script=script.format(folder=MODELS), OutputDataSetType=kind)
+
+
+class TestParallel(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(simple.ResetSession)
+
+    def expect_whole(self, carver, points=POINTS, triangles=TRIANGLES):
+        first = counts(carver, LEVEL, 0)
+        self.assertLess(first[0], points)
+        self.assertEqual(counts(carver, LEVEL, 49), (points, triangles))
+        return first
+
+    def test_mesh_on_one_process(self):
+        """A serial reader leaves the mesh on one process; the others stay silent."""
+        carver = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"))
+        first = self.expect_whole(carver)
+        self.assertEqual(numbers(carver, "VertexRange"), [first[0], POINTS])
+        rows = simple.OutputPort(carver, PROFILE).GetDataInformation().GetNumberOfRows()
+        self.assertEqual(rows, numbers(carver, "StepRange")[1] + 1)
+
+    def test_spread_mesh_is_carved_whole(self):
+        """A mesh of which every process has a part is gathered: no seam, the same levels."""
+        whole = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"))
+        parts = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"))
+        for time in (0, 11, 33, 49):
+            self.assertEqual(counts(parts, LEVEL, time), counts(whole, LEVEL, time))
+
+    def test_blocks_stay_where_they_are(self):
+        """Each block is carved by the process that has it; the tree is the same everywhere."""
+        carver = simple.TopologyCarver(Input=make_source(BLOCKS, "vtkMultiblockDataSet"))
+        self.expect_whole(carver, 2 * POINTS + 2 * 642, 2 * TRIANGLES + 2 * 1280)
+        names = ["block 0", "block 1", "block 2"]
+        for port in range(4):
+            information = simple.OutputPort(carver, port).GetDataInformation()
+            hierarchy = information.GetHierarchy()
+            children = hierarchy.GetChildNodes(hierarchy.GetRootNode(), False)
+            found = [hierarchy.GetAttributeOrDefault(child, "label", "") for child in children]
+            self.assertEqual(found, names)
+            if port == ALL_LEVELS:
+                for child in children:
+                    self.assertEqual(hierarchy.GetNumberOfChildren(child), 8)
+        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
+        for time in (0, 20, 49):
+            self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
+
+    def test_changing_the_level_does_not_gather_again(self):
+        """Another level of a mesh in parts needs no helper program."""
+        carver = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"))
+        self.expect_whole(carver)
+        os.environ["TOPOLOGYCARVING_HELPER"] = "/bin/false"
+        self.addCleanup(os.environ.pop, "TOPOLOGYCARVING_HELPER")
+        carver.FollowTime, carver.LevelBy, carver.Step = 0, "Step", 0
+        self.assertLess(counts(carver)[0], POINTS)
+
+
+scene.run_tests(unittest)

@@ -3,22 +3,32 @@
 # usage: bash Testing/run.sh
 #
 # Installs what is needed, builds and passes all tests: formatting, the whole project with warnings as
-# errors, and core and helper program once more under the address and undefined-behavior sanitizers.
+# errors, the plugin in ParaView, and core and helper program once more under the address and
+# undefined-behavior sanitizers.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
+require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}" \
+  "${paraview_packages[@]}"
 meshes=$build_root/meshes/off
 # Two tests at a time: the machine may have more to do, and some tests build.
 jobs=2
 
 say "Checking the format"
-find "$root/Examples" "$root/Filters" "$root/Testing" \( -name '*.cxx' -o -name '*.h' \) -print0 |
+find "$root/Examples" "$root/Filters" "$root/Plugin" "$root/Testing" \( -name '*.cxx' -o -name '*.h' \) -print0 |
   xargs -0 clang-format --dry-run --Werror || die "Run clang-format -i on these files."
 
 build testing -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" -DTOPOLOGYCARVING_MESHES="$meshes"
 say "Testing"
 xvfb-run -a ctest --test-dir "$build_root/testing" -j$jobs --output-on-failure
+
+bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
+build plugin -DTOPOLOGYCARVING_PARAVIEW=ON -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" \
+  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11"
+say "Testing the plugin for ParaView"
+# Without -noreset, clients that come while the last one goes are turned away.
+xvfb-run -a -s '-screen 0 1500x1000x24 -noreset' \
+  ctest --test-dir "$build_root/plugin" -j$jobs --output-on-failure
 
 # Without warnings: the sanitizers make the compiler see some in CGAL that are none.
 build sanitize -DTOPOLOGYCARVING_CORE_ONLY=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \

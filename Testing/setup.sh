@@ -10,6 +10,8 @@ build_packages=(
   ninja-build zlib1g-dev)
 picture_packages=(libgl1-mesa-dri python3-vtk9 xauth xvfb)
 test_packages=(clang-format libgtest-dev python3-numpy)
+# Without python3-paraview, which excludes python3-vtk9: paraview_prefix.sh unpacks it elsewhere.
+paraview_packages=(mpi-default-bin paraview paraview-dev)
 
 say() {
   printf '\n== %s\n' "$*"

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The XML of ParaView's panels against the filters. PLUGIN is the folder of the plugin's sources."""
+import os
+import re
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from topologycarving import vtkContourCarver, vtkExtractCarvedLOD, vtkTopologyCarver
+
+PLUGIN = os.environ["PLUGIN"]
+
+# Setters that no panel shows, and why.
+LEFT_OUT = {
+    "SetLevelTarget": "the panel has a target for each type",
+    "SetController": "ParaView's processes are the global controller's",
+}
+
+
+def parse(name):
+    return ElementTree.parse(os.path.join(PLUGIN, name)).getroot()
+
+
+def find_proxy(root, name):
+    return next(proxy for proxy in root.iter() if proxy.tag.endswith("Proxy") and proxy.get("name") == name)
+
+
+def properties(proxy):
+    """The properties that are set by a command."""
+    return [p for p in proxy if p.tag.endswith("VectorProperty") and p.get("information_only") != "1"]
+
+
+def commands(proxy):
+    found = {p.get("command") for p in proxy if p.tag.endswith("Property")}
+    for p in properties(proxy):
+        found.add(p.get("clean_command"))
+    return found
+
+
+def setters(filter_class, base):
+    """The setters that a class adds to those of VTK's base class; On and Off are other words for Set."""
+    own = set(dir(filter_class)) - set(dir(base))
+    return {name for name in own if re.match(r"(Set|Add|Clear)[A-Z]", name)}
+
+
+def header_defaults(name):
+    """Members of a class of the plugin, which has no Python here, and their defaults."""
+    with open(os.path.join(PLUGIN, "Classes", name + ".h"), encoding="utf-8") as file:
+        return dict(re.findall(r"^  (?:int|double|bool) (\w+) = ([^;{]+);", file.read(), re.M))
+
+
+class TestPanels(unittest.TestCase):
+    def setUp(self):
+        self.base = type(vtkTopologyCarver()).__mro__[2]
+        self.carver = find_proxy(parse("Carvers.xml"), "Carver")
+        extract = parse("ExtractCarvedLOD.xml")
+        self.picker = find_proxy(extract, "LevelPicker")
+        self.extract = find_proxy(extract, "ExtractCarvedLOD")
+
+    def expect_defaults(self, proxy, instance, others):
+        for p in properties(proxy):
+            name = p.get("command")[3:]
+            if p.get("command").startswith("Add"):
+                self.assertEqual(instance.GetNumberOfLevelTargets(), 0)
+                continue
+            expected = float(getattr(instance, "Get" + name)()) if hasattr(instance, "Get" + name) else float(others[name])
+            self.assertEqual(float(p.get("default_values")), expected, p.get("name"))
+
+    def test_defaults_are_the_filters(self):
+        """Every property starts with the filter's own default."""
+        others = header_defaults("vtkPVExtractCarvedLOD")
+        for instance in (vtkTopologyCarver(), vtkContourCarver()):
+            self.expect_defaults(self.carver, instance, {})
+        for proxy in (self.picker, self.extract):
+            self.expect_defaults(proxy, vtkExtractCarvedLOD(), others)
+
+    def test_every_setter_is_on_a_panel(self):
+        """What can be set in C++ and Python can be set in ParaView, or is left out on purpose."""
+        shown = commands(self.carver)
+        for name in setters(vtkTopologyCarver, self.base) | setters(vtkContourCarver, self.base):
+            self.assertTrue(name in shown or name in LEFT_OUT, name)
+        shown = commands(self.picker) | commands(self.extract)
+        for name in setters(vtkExtractCarvedLOD, vtkExtractCarvedLOD.__mro__[1]):
+            self.assertTrue(name in shown or name in LEFT_OUT, name)
+
+    def test_enumerations_are_the_filters(self):
+        """Every value of an enumeration is offered, under its name."""
+        known = {
+            "SetInitialApproximation": "CONVEX_HULL BOUNDING_BOX CUSTOM",
+            "SetPriorityMeasure": "LONGEST_EDGE VOLUME CIRCUMRADIUS EDGE_VOLUME",
+            "SetDepthMeasure": "HIERARCHY DISTANCE",
+            "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
+            "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE STEP",
+        }
+        seen = set()
+        for proxy in (self.carver, self.picker):
+            for p in properties(proxy):
+                entries = p.findall("EnumerationDomain/Entry")
+                if not entries:
+                    continue
+                seen.add(p.get("command"))
+                names = known[p.get("command")].split()
+                self.assertEqual([int(e.get("value")) for e in entries],
+                                 [getattr(vtkTopologyCarver, name) for name in names])
+                for entry, name in zip(entries, names):
+                    words = set(re.findall(r"[a-z]+", name.lower()))
+                    self.assertTrue(words <= set(re.findall(r"[a-z]+", entry.get("text").lower())), name)
+        self.assertEqual(seen, set(known))
+
+    def test_every_property_is_explained(self):
+        """Every property has a tooltip, and every one that is shown belongs to a group or stands alone on purpose."""
+        for proxy in (self.carver, self.picker, self.extract):
+            for p in properties(proxy):
+                text = p.findtext("Documentation") or ""
+                self.assertGreater(len(text.strip()), 20, p.get("name"))
+
+    def test_shared_properties_are_exposed(self):
+        """What picks a level is on the carvers' panels too, in the same group."""
+        exposed = {p.get("name") for p in self.carver.findall("SubProxy/ExposedProperties/Property")}
+        self.assertEqual(exposed, {p.get("name") for p in self.picker if p.tag.endswith("Property")})
+        for proxy in (self.carver, self.extract):
+            group = next(g for g in proxy.findall("PropertyGroup") if g.get("label") == "Level")
+            self.assertEqual([p.get("name") for p in group], [p.get("name") for p in properties(self.picker)])
+
+
+if __name__ == "__main__":
+    unittest.main()

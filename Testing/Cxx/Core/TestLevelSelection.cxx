@@ -101,3 +101,16 @@ TEST(SelectStep, TakesAStepOrTheNearest)
   EXPECT_EQ(SelectStep(profile, LevelTarget::Step, 9).Step, 2);
   EXPECT_NE(SelectStep(profile, LevelTarget::Step, 9).Problem, "");
 }
+
+// The range of a target goes from the initial approximation to the most that any step has.
+TEST(GetTargetRange, GoesFromTheFirstStepToTheGreatest)
+{
+  Profile profile = WithVertices({ 4, 5, 7, 6 });
+  profile.Triangles = { 4, 6, 10, 8 };
+  SetPriorities<3>(profile, { NAN, 8.0, 3.0, 5.0 }, PriorityMeasure::LongestEdge);
+  using Range = std::array<double, 2>;
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Vertices), (Range{ 4.0, 7.0 }));
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Triangles), (Range{ 4.0, 10.0 }));
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::FeatureSize), (Range{ 3.0, 8.0 }));
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Step), (Range{ 0.0, 3.0 }));
+}

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# usage: bash Examples/paraview_pictures.sh [FOLDER]
+#
+# Installs what is needed, builds the plugin, plays the recorded sessions of the tests with a foot's bones
+# in ParaView and writes pictures of its window into FOLDER (by default Examples/images).
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
+
+folder=$(realpath -m "${1:-$root/Examples/images}")
+require_packages "${build_packages[@]}" "${picture_packages[@]}" "${paraview_packages[@]}" \
+  imagemagick libqt5svg5
+build release -DBUILD_TESTING=OFF
+bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
+build plugin-release -DTOPOLOGYCARVING_PARAVIEW=ON -DBUILD_TESTING=OFF \
+  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11"
+
+work=$build_root/paraview-pictures
+mkdir -p "$folder" "$work"
+# ParaView reads no OFF. A single level is the input.
+"$build_root/release/bin/carve" "$(cgal_mesh bones.off)" --levels 1 -o "$work/bones.ply" >/dev/null
+mv "$work/bones_0.ply" "$work/bones.ply"
+
+# picture SESSION NAME: play a recorded session and take a picture of the window.
+picture() {
+  say "Playing $1"
+  sed -e 's/eight-spheres/bones/' -e 's/arguments="3000"/arguments="700"/' \
+    "$root/Testing/ParaView/$1.xml" >"$work/$1.xml"
+  HOME=$work PYTHONPATH=$build_root/paraview/usr/lib/python3/dist-packages \
+    xvfb-run -a -s '-screen 0 1152x764x24' bash -c '
+      "$1/usr/bin/paraview" --dr --plugin-search-paths="$2" --plugins=TopologyCarving \
+        --data-directory="$3" --test-directory="$3" --test-script="$3/$4.xml" >"$3/$4.log" 2>&1 &
+      for second in $(seq 60); do
+        grep -q "is finished" "$3/$4.log" && break
+        sleep 1
+      done
+      sleep 2
+      import -window root "$5"
+      kill $!' bash "$build_root/paraview" \
+      "$build_root/plugin-release/lib/paraview-5.11/plugins/TopologyCarving" "$work" "$1" "$work/$2.png"
+  grep -q 'Success =  true' "$work/$1.log" || die "The session $1 failed; see $work/$1.log"
+  # A little smaller, few colours: a picture for the web.
+  convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"
+}
+picture PlayCarving paraview-play
+picture PickLevel paraview-slider
+
+say "Done"
+printf 'pictures  %s\n' "$folder/paraview-play.png" "$folder/paraview-slider.png"

@@ -21,8 +21,6 @@ template <>
 struct Kind<3>
 {
   using Input = CarverInput;
-  static constexpr const char* Rung = "TetGen -pcY";
-
   static std::string GatherInitial(vtkPolyData* initial, const Input&, Input& gathered)
   {
     return gathered.Gather(initial);
@@ -46,8 +44,6 @@ template <>
 struct Kind<2>
 {
   using Input = ContourInput;
-  static constexpr const char* Rung = "CGAL constrained Delaunay";
-
   static std::string GatherInitial(vtkPolyData* initial, const Input& input, Input& gathered)
   {
     return gathered.GatherInPlaneOf(input, initial);

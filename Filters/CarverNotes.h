@@ -14,10 +14,10 @@
 class vtkFieldData;
 
 /** Adds to the texts what the user should know besides and writes them as the string array `Notes`. */
-void AddNotes(std::vector<std::string> texts, int intersectingPairs, int guessedRegions,
+void AddNotes(std::vector<std::string> texts, const carving::Reply& reply, int guessedRegions,
   bool nothingToCarve, vtkFieldData* fieldData);
 
 /** The settings that a stream has been made with, by the names of the filter's properties. */
-void AddSettings(const CarverSettings& settings, const char* rung, vtkFieldData* fieldData);
+void AddSettings(const CarverSettings& settings, const std::string& rung, vtkFieldData* fieldData);
 
 #endif

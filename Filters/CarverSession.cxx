@@ -30,8 +30,8 @@
 template <int D>
 struct CarverSession<D>::Leaf
 {
-  vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
-  carving::InitialApproximation Approximation = carving::InitialApproximation::ConvexHull;
+  vtkMTimeType Time = 0;        ///< of the leaf; unique, so that it identifies the leaf as well
+  CarverSettings Settings;      ///< of which those for the helper program matter
   vtkMTimeType InitialTime = 0; ///< of the given initial approximation
   typename Kind<D>::Input Input;
   typename Kind<D>::Input Initial;
@@ -70,6 +70,13 @@ private:
 
 namespace
 {
+
+/** Whether the helper program would make the same of a mesh. */
+bool SameForHelper(const CarverSettings& a, const CarverSettings& b)
+{
+  return a.Initial == b.Initial && a.Conformity == b.Conformity && a.TimeLimit == b.TimeLimit &&
+    a.MemoryLimit == b.MemoryLimit;
+}
 
 constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "output" };
 
@@ -142,15 +149,15 @@ std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtk
   const vtkMTimeType initialTime = custom && this->Initial ? this->Initial->GetMTime() : 0;
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
-    if (leaf->Time == input->GetMTime() && leaf->Approximation == this->Settings.Initial &&
-      leaf->InitialTime == initialTime)
+    if (leaf->Time == input->GetMTime() && leaf->InitialTime == initialTime &&
+      SameForHelper(leaf->Settings, this->Settings))
     {
       return leaf;
     }
   }
   const auto leaf = std::make_shared<Leaf>();
   leaf->Time = input->GetMTime();
-  leaf->Approximation = this->Settings.Initial;
+  leaf->Settings = this->Settings;
   leaf->InitialTime = initialTime;
   std::string error = leaf->Input.Gather(input);
   leaf->Empty = leaf->Input.IsEmpty();
@@ -181,7 +188,10 @@ bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
 {
   const Timer timer(*this, TransferStage);
   carving::Job job;
-  job.Initial = leaf.Approximation;
+  job.Initial = leaf.Settings.Initial;
+  job.Conformity = leaf.Settings.Conformity;
+  job.TimeLimit = leaf.Settings.TimeLimit;
+  job.MemoryLimit = leaf.Settings.MemoryLimit;
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, leaf.Reply,
@@ -266,7 +276,7 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
   this->Used.push_back(leaf);
   if (leaf->Empty) // nothing in, nothing out
   {
-    AddNotes(leaf->Input.Notes, 0, 0, false, ports.Levels->GetFieldData());
+    AddNotes(leaf->Input.Notes, {}, 0, false, ports.Levels->GetFieldData());
     ++this->LeavesDone;
     return true;
   }
@@ -276,11 +286,11 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     return false;
   }
   const Timer timer(*this, OutputStage);
-  AddNotes(leaf->Input.Notes, leaf->Reply.IntersectingPairs, result.GuessedRegions,
-    result.Profile.LastStep() == 0, ports.Levels->GetFieldData());
+  AddNotes(leaf->Input.Notes, leaf->Reply, result.GuessedRegions, result.Profile.LastStep() == 0,
+    ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(ports.Stream);
   FillStream(result.Stream, result.Profile, input, leaf->Input.CellIds, grid);
-  AddSettings(this->Settings, Kind<D>::Rung, grid->GetFieldData());
+  AddSettings(this->Settings, leaf->Reply.Rung, grid->GetFieldData());
   FillProfile(result.Profile, vtkTable::SafeDownCast(ports.Profile));
   const std::vector<int> steps = this->SelectLevels(result.Profile);
   const unsigned int count = static_cast<unsigned int>(steps.size());

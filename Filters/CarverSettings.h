@@ -17,6 +17,9 @@
 struct CarverSettings
 {
   carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
+  carving::Conformity Conformity = carving::Conformity::Auto;
+  double TimeLimit = 0.0;
+  double MemoryLimit = 0.0;
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
   carving::CarveOptions Carve;
   bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy

@@ -140,6 +140,9 @@ int vtkCarverAlgorithm::RequestData(
   CarverSettings settings;
   settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
   settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
+  settings.Conformity = static_cast<carving::Conformity>(this->Conformity);
+  settings.TimeLimit = this->TimeLimit;
+  settings.MemoryLimit = this->MemoryLimit;
   settings.Carve.Measure = static_cast<carving::PriorityMeasure>(this->PriorityMeasure);
   settings.Carve.DepthExponent = this->DepthExponent;
   settings.Carve.BreadthRadius = this->BreadthRadius;
@@ -193,6 +196,7 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   constexpr const char* measures[] = { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" };
   constexpr const char* depths[] = { "HIERARCHY", "DISTANCE" };
   constexpr const char* rules[] = { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" };
+  constexpr const char* conformities[] = { "EXACT", "ENCLOSING", "AUTO" };
   os << indent << "InitialApproximation: " << initials[this->InitialApproximation] << "\n";
   os << indent << "PriorityMeasure: " << measures[this->PriorityMeasure] << "\n";
   os << indent << "DepthExponent: " << this->DepthExponent << "\n";
@@ -201,6 +205,9 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CarveExposed: " << (this->CarveExposed ? "On" : "Off") << "\n";
   os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
   os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
+  os << indent << "Conformity: " << conformities[this->Conformity] << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "KeepBothFoldSides: " << (this->KeepBothFoldSides ? "On" : "Off") << "\n";
   os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";

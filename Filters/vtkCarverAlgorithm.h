@@ -57,6 +57,14 @@ public:
     SURFACE_ONLY = 2
   };
 
+  /** Whether M has to be a union of faces of tetrahedra. */
+  enum Conformities
+  {
+    EXACT = 0,
+    ENCLOSING = 1,
+    AUTO = 2
+  };
+
   /** What a level target counts. */
   enum LevelTargets
   {
@@ -166,6 +174,33 @@ public:
 
   ///@{
   /**
+   * What is done with a mesh that TetGen does not cope with; of no effect on contours.
+   * - EXACT: TetGen is tried with up to six orders of the points and triangles; then it is an error. The
+   *   last level is M.
+   * - ENCLOSING: Delaunay, which never fails. Tetrahedra that M pierces are kept for good: levels enclose
+   *   M, have its vertices and do not cross themselves, but the last only comes near M.
+   * - AUTO (default): EXACT; where that fails, takes too long or M crosses itself in so many places that
+   *   resolving it would multiply it, ENCLOSING.
+   *
+   * The field data's `Rung` says what it came to, and notes on port 0 why.
+   */
+  vtkSetClampMacro(Conformity, int, EXACT, AUTO);
+  vtkGetMacro(Conformity, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most that one attempt at a tetrahedralization may take, in seconds and in MiB; then it counts as
+   * failed. 0, the default: no limit on memory, and a time in which TetGen does any mesh that it can.
+   */
+  vtkSetClampMacro(TimeLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeLimit, double);
+  vtkSetClampMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /**
    * Number of levels to spread between C0, the first, and M, the last, so that their vertex counts
    * grow geometrically. Where there are not that many distinct vertex counts, the rest is spread by
    * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. At least
@@ -267,6 +302,9 @@ protected:
   bool CarveExposed = true;
   bool CarveVoids = true;
   int SolidRule = NONZERO_WINDING;
+  int Conformity = AUTO;
+  double TimeLimit = 0.0;
+  double MemoryLimit = 0.0;
   int NumberOfLevels = 8;
   bool KeepBothFoldSides = false;
   bool ManifoldOutput = true;

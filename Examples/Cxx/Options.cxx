@@ -114,6 +114,16 @@ PROPERTY OPTIONS
         around, what an odd number of surfaces separates from the outside, or
         nothing. Default: nonzero-winding.
 
+    --conformity exact|enclosing|auto
+        What happens to a mesh that TetGen does not cope with: an error; nothing, as
+        it is not used, and levels enclose the mesh without ending in it; or the
+        second where the first fails. Default: auto.
+
+    --time-limit SECONDS
+    --memory-limit MIB
+        The most that one attempt at a tetrahedralization may take. Default: 0, no
+        limit that you would notice.
+
     --keep-both-fold-sides on|off
         Whether a sheet without solid on either side shows with both of its sides.
         Default: off. (Section 3.3)
@@ -237,9 +247,12 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "depth-measure" ? ParseChoice(name, "hierarchy|distance", text, options.DepthMeasure)
     : name == "solid-rule"
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
-    : name == "depth-exponent"       ? ParseNotNegative(name, text, options.DepthExponent)
-    : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
-    : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
+    : name == "conformity"     ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
+    : name == "time-limit"     ? ParseNotNegative(name, text, options.TimeLimit)
+    : name == "memory-limit"   ? ParseNotNegative(name, text, options.MemoryLimit)
+    : name == "depth-exponent" ? ParseNotNegative(name, text, options.DepthExponent)
+    : name == "breadth-radius" ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "carve-voids"    ? ParseSwitch(name, text, options.CarveVoids)
     : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
     : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
                                      : ParseSwitch(name, text, options.CarveExposed);
@@ -273,6 +286,9 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "carve-exposed", required_argument, nullptr, 'p' },
     { "carve-voids", required_argument, nullptr, 'p' },
     { "solid-rule", required_argument, nullptr, 'p' },
+    { "conformity", required_argument, nullptr, 'p' },
+    { "time-limit", required_argument, nullptr, 'p' },
+    { "memory-limit", required_argument, nullptr, 'p' },
     { "keep-both-fold-sides", required_argument, nullptr, 'p' },
     { "manifold-output", required_argument, nullptr, 'm' },
     { "help", no_argument, nullptr, 'h' },

@@ -37,6 +37,9 @@ struct Options
   bool KeepBothFoldSides = false;
   bool ManifoldOutput = true;
   int SolidRule = 0;
+  int Conformity = 2;
+  double TimeLimit = 0.0;
+  double MemoryLimit = 0.0;
 };
 
 /** Returns an empty string or what is wrong with the command line, in one line. */

@@ -150,6 +150,9 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   carver->SetCarveExposed(options.CarveExposed);
   carver->SetCarveVoids(options.CarveVoids);
   carver->SetSolidRule(options.SolidRule);
+  carver->SetConformity(options.Conformity);
+  carver->SetTimeLimit(options.TimeLimit);
+  carver->SetMemoryLimit(options.MemoryLimit);
   carver->SetKeepBothFoldSides(options.KeepBothFoldSides);
   carver->SetManifoldOutput(options.ManifoldOutput);
   carver->SetNumberOfLevels(options.NumberOfLevels);

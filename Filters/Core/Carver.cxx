@@ -46,7 +46,8 @@ public:
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
       const RegionKind kind = regions.Kind(cell);
-      if (kind == RegionKind::Solid || (kind == RegionKind::Void && !options.CarveVoids))
+      if (kind == RegionKind::Solid || kind == RegionKind::Kept ||
+        (kind == RegionKind::Void && !options.CarveVoids))
       {
         continue;
       }
@@ -140,7 +141,7 @@ private:
     {
       const int neighbor = this->Mesh.Neighbors[cell][f];
       if (neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 &&
-        this->Out.Step[neighbor] == Stream::Never)
+        this->Out.Step[neighbor] == Stream::Never && !this->Mesh.IsKept(neighbor))
       {
         visit(neighbor);
       }

@@ -23,6 +23,16 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
 {
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   result.RegionOfCell.assign(numberOfCells, -1);
+  if (!mesh.Kept.empty())
+  {
+    Region kept;
+    kept.Kind = RegionKind::Kept;
+    result.Regions.push_back(kept);
+    for (int cell = 0; cell < numberOfCells; ++cell)
+    {
+      result.RegionOfCell[cell] = mesh.Kept[cell] ? 0 : -1;
+    }
+  }
   std::vector<int> stack;
   for (int seed = 0; seed < numberOfCells; ++seed)
   {
@@ -70,7 +80,7 @@ std::vector<int> FindLargestCells(const Decomposition<D>& mesh, const Classifica
   std::vector<double> largestSizes(result.Regions.size(), -1.0);
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
-    if (result.Kind(cell) != RegionKind::Outside)
+    if (result.Kind(cell) == RegionKind::Void)
     {
       const int region = result.RegionOfCell[cell];
       const double size = Size(mesh, cell);
@@ -178,7 +188,8 @@ void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
   std::function<double(const Point&)> windingNumber;
   if constexpr (D == 3)
   {
-    windingNumber = [tree = WindingTree(mesh.Surface)](const Point& p) {
+    const ResolvedMesh& surface = mesh.Kept.empty() ? mesh.Surface : mesh.Unresolved;
+    windingNumber = [tree = WindingTree(surface)](const Point& p) {
       return tree.Measure(p, { GuessedFrom, SolidFrom });
     };
   }
@@ -189,7 +200,7 @@ void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
   for (std::size_t r = 0; r < result.Regions.size(); ++r)
   {
     Region& region = result.Regions[r];
-    if (region.Kind != RegionKind::Outside)
+    if (region.Kind == RegionKind::Void)
     {
       region.Winding = windingNumber(mesh.Centroid(largestCells[r]));
       region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > GuessedFrom;
@@ -245,10 +256,25 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
   }
 }
 
+/** By parity where kept tetrahedra lie on the paths. */
+void ClassifyByRays(const Tetrahedralization& mesh, Classification& result)
+{
+  const std::vector<int> largestCells = FindLargestCells(mesh, result);
+  for (std::size_t r = 0; r < result.Regions.size(); ++r)
+  {
+    Region& region = result.Regions[r];
+    if (region.Kind == RegionKind::Void &&
+      CountCrossings(mesh.Unresolved, mesh.Centroid(largestCells[r])) % 2 != 0)
+    {
+      region.Kind = RegionKind::Solid;
+    }
+  }
+}
+
 template <int D>
 void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
 {
-  if (IsClosed(mesh.Surface))
+  if (mesh.Kept.empty() && IsClosed(mesh.Surface))
   {
     CountWindings(mesh, result);
   }
@@ -258,7 +284,7 @@ void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
   }
   for (Region& region : result.Regions)
   {
-    if (region.Kind != RegionKind::Outside && std::abs(region.Winding) >= SolidFrom)
+    if (region.Kind == RegionKind::Void && std::abs(region.Winding) >= SolidFrom)
     {
       region.Kind = RegionKind::Solid;
     }
@@ -278,6 +304,14 @@ Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
       ClassifyByWinding(mesh, result);
       break;
     case SolidRule::EvenOdd:
+      if constexpr (D == 3)
+      {
+        if (!mesh.Kept.empty())
+        {
+          ClassifyByRays(mesh, result);
+          break;
+        }
+      }
       ClassifyByParity(mesh, result);
       break;
     case SolidRule::SurfaceOnly:

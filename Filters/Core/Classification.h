@@ -17,7 +17,8 @@ enum class RegionKind
 {
   Outside, ///< complement, joined to the outside by a path that crosses no triangle of M
   Void,    ///< complement, enclosed by M
-  Solid
+  Solid,
+  Kept ///< what M pierces, in enclosing mode; never carved
 };
 
 /** Which of the regions that M encloses are solid. */
@@ -25,17 +26,20 @@ enum class SolidRule : int
 {
   /**
    * Where the winding number is at least one half in magnitude. Of a closed M it follows from the
-   * outside's by counting crossings; else it is the sum of solid angles at the centroid of the
-   * region's largest tetrahedron.
+   * outside's by counting crossings; else, and in enclosing mode, it is the sum of solid angles at the
+   * centroid of the region's largest tetrahedron.
    */
   NonzeroWinding = 0,
-  /** Where the path of fewest crossings from the outside crosses an odd number of triangles. */
+  /**
+   * Where the path of fewest crossings from the outside crosses an odd number of triangles; in enclosing
+   * mode, where a ray from the centroid of the region's largest tetrahedron does.
+   */
   EvenOdd = 1,
   /** None: M is a surface without inside. */
   SurfaceOnly = 2
 };
 
-/** A maximal set of tetrahedra that non-constraining faces join. */
+/** A maximal set of tetrahedra that non-constraining faces join; all kept ones together are one. */
 struct Region
 {
   RegionKind Kind = RegionKind::Outside;

@@ -56,6 +56,9 @@ using ResolvedMesh = ResolvedInput<3>;
 constexpr int Outside = -1; ///< the exterior of C0
 constexpr int Solid = -2;   ///< the solid of M, where its cells have been left out
 
+/** The corners of each face of a positively oriented tetrahedron, which lies behind it. */
+constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
 /**
  * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space (D = 3),
  * triangles in a plane (D = 2).
@@ -76,14 +79,23 @@ struct Decomposition
   std::vector<Cell> Neighbors;
   std::vector<Cell> Constraints;
 
+  // In enclosing mode, where M need not be a union of faces. `Surface` is then the faces that overlap a
+  // triangle of M in an area.
+  std::vector<char> Kept;      ///< per cell: M pierces it, it is never carved; empty in exact mode
+  ResolvedInput<D> Unresolved; ///< M itself; empty in exact mode
+
+  bool IsKept(int cell) const
+  {
+    return !this->Kept.empty() && this->Kept[cell];
+  }
+
   /** The face opposite to corner f of a cell, oriented so that the cell lies behind it. */
   Facet OutwardFace(int cell, int f) const
   {
     const Cell& c = this->Cells[cell];
     if constexpr (D == 3)
     {
-      static constexpr int corners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
-      return { c[corners[f][0]], c[corners[f][1]], c[corners[f][2]] };
+      return { c[FaceCorners[f][0]], c[FaceCorners[f][1]], c[FaceCorners[f][2]] };
     }
     else
     {

@@ -16,8 +16,8 @@ namespace
 {
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '3' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '2' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '4' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '3' };
 
 class Writer
 {
@@ -122,6 +122,9 @@ void VisitJob(Archive& archive, JobType& job)
 {
   archive.Value(job.Kind);
   archive.Value(job.Initial);
+  archive.Value(job.Conformity);
+  archive.Value(job.TimeLimit);
+  archive.Value(job.MemoryLimit);
   archive.Array(job.Mesh.Points);
   archive.Array(job.Mesh.Triangles);
   archive.Array(job.InitialMesh.Points);
@@ -132,18 +135,26 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Array(job.InitialContours.Edges);
 }
 
+template <class Archive, class Input>
+void VisitInput(Archive& archive, Input& input)
+{
+  archive.Array(input.Points);
+  archive.Array(input.PointSources);
+  archive.Array(input.Facets);
+  archive.Array(input.FacetSources);
+  archive.Array(input.Windings);
+  archive.Array(input.Counts);
+}
+
 template <class Archive, class Mesh>
 void VisitDecomposition(Archive& archive, Mesh& mesh)
 {
-  archive.Array(mesh.Surface.Points);
-  archive.Array(mesh.Surface.PointSources);
-  archive.Array(mesh.Surface.Facets);
-  archive.Array(mesh.Surface.FacetSources);
-  archive.Array(mesh.Surface.Windings);
-  archive.Array(mesh.Surface.Counts);
+  VisitInput(archive, mesh.Surface);
   archive.Array(mesh.Cells);
   archive.Array(mesh.Neighbors);
   archive.Array(mesh.Constraints);
+  archive.Array(mesh.Kept);
+  VisitInput(archive, mesh.Unresolved);
 }
 
 /** The fields of a reply. */
@@ -153,6 +164,9 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Error);
   VisitDecomposition(archive, reply.Result);
   VisitDecomposition(archive, reply.Plane);
+  archive.Array(reply.Rung);
+  archive.Array(reply.Attempts);
+  archive.Value(reply.LongestKeptEdge);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
 }
@@ -192,6 +206,11 @@ std::string Read(const char* data, std::size_t size, Job& job)
     job.Initial != InitialApproximation::BoundingBox && job.Initial != InitialApproximation::Custom)
   {
     return "the job wants an unknown initial approximation";
+  }
+  if (job.Conformity != Conformity::Exact && job.Conformity != Conformity::Enclosing &&
+    job.Conformity != Conformity::Auto)
+  {
+    return "the job wants an unknown conformity";
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||

@@ -40,10 +40,21 @@ enum class InitialApproximation : int
 };
 constexpr double BoxMargin = 0.01;
 
+/** Whether M has to be a union of faces of tetrahedra. */
+enum class Conformity : int
+{
+  Exact = 0,     ///< yes, or it is an error
+  Enclosing = 1, ///< no: tetrahedra that M pierces are kept
+  Auto = 2       ///< where it can be done
+};
+
 struct Job
 {
   JobKind Kind = JobKind::Tetrahedralize;
   InitialApproximation Initial = InitialApproximation::ConvexHull;
+  carving::Conformity Conformity = carving::Conformity::Exact;
+  double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
+  double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
   TriangleMesh Mesh;
   TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
   ContourSet Contours;        ///< for JobKind::Triangulate
@@ -66,6 +77,9 @@ struct Reply
   std::string Error;
   Tetrahedralization Result;
   Decomposition<2> Plane;
+  std::string Rung;             ///< how it was tetrahedralized
+  std::string Attempts;         ///< what was tried before, and why it failed, a line each
+  double LongestKeptEdge = 0.0; ///< in enclosing mode
   /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */

@@ -94,9 +94,10 @@ StoredStream<D> Store(
   std::vector<int> solidSides(mesh.Surface.Facets.size(), 0);
   result.Mesh.Surface = mesh.Surface;
   result.Order.StepPriority = stream.StepPriority;
+  const bool all = !mesh.Kept.empty();
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    if (regions.Kind(cell) != RegionKind::Solid)
+    if (all || regions.Kind(cell) != RegionKind::Solid)
     {
       newIndex[cell] = static_cast<int>(result.Mesh.Cells.size());
       result.Mesh.Cells.push_back(mesh.Cells[cell]);
@@ -126,7 +127,16 @@ StoredStream<D> Store(
     }
   }
   FindSides(result, solidSides);
-  FindTurns(mesh, regions, result);
+  if (all)
+  {
+    std::array<int, D> none;
+    none.fill(-1);
+    result.Turns.assign(mesh.Surface.Facets.size(), none);
+  }
+  else
+  {
+    FindTurns(mesh, regions, result);
+  }
   return result;
 }
 

@@ -47,7 +47,10 @@ struct HalfFace
 template <int D>
 struct StoredStream
 {
-  /** The cells of the complement only: a face on the solid has the neighbor Solid. */
+  /**
+   * The cells of the complement only: a face on the solid has the neighbor Solid. In enclosing mode all
+   * cells, since the solid and what is kept may meet in faces that are not of M.
+   */
   Decomposition<D> Mesh;
   /** Per cell of `Mesh`. */
   Stream Order;
@@ -68,7 +71,7 @@ struct StoredStream
   std::vector<std::array<int, D>> Turns;
 };
 
-/** Leaves the cells of the solid out. */
+/** Leaves the cells of the solid out, in exact mode. */
 template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);

@@ -43,11 +43,18 @@ std::string FindMistake(const Decomposition<D>& mesh)
   if (surface.PointSources.size() != surface.Points.size() ||
     surface.FacetSources.size() != triangles || surface.Windings.size() != triangles ||
     surface.Counts.size() != triangles || mesh.Neighbors.size() != mesh.Cells.size() ||
-    mesh.Constraints.size() != mesh.Cells.size())
+    mesh.Constraints.size() != mesh.Cells.size() ||
+    (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()))
+  {
+    return "arrays that belong together differ in length";
+  }
+  const ResolvedInput<D>& input = mesh.Unresolved;
+  if (input.Windings.size() != input.Facets.size() || input.Counts.size() != input.Facets.size())
   {
     return "arrays that belong together differ in length";
   }
   if (!IndicesWithin(surface.Facets, 0, surface.Points.size()) ||
+    !IndicesWithin(input.Facets, 0, input.Points.size()) ||
     !IndicesWithin(mesh.Cells, 0, surface.Points.size()))
   {
     return "a vertex index is out of range";

@@ -26,6 +26,12 @@ double WindingNumber(const ResolvedMesh& mesh, const Point& point);
 double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 
 /**
+ * How many triangles of M, merged ones by their number, a ray from a point crosses, in a direction that
+ * no model is aligned with. In floating point: a ray that runs along a triangle may count it or not.
+ */
+int CountCrossings(const ResolvedMesh& mesh, const Point& point);
+
+/**
  * Whether every edge of M (every vertex, in the plane) is passed as often in one direction as in the
  * other, counting `Windings`. Then the winding number is an integer everywhere off M and changes only
  * across facets.

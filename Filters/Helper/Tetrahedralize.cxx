@@ -17,17 +17,15 @@ using namespace carving;
 namespace
 {
 
-constexpr const char* Advice = ". Repair or leave out the parts that cross themselves or nearly "
-                               "touch, and try again.";
-
-bool IsFlat(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+/** Whether all points lie in the plane of the mesh's first triangle. */
+bool AreInPlane(const std::vector<Point>& points, const ResolvedMesh& surface)
 {
-  const Triangle& t = triangles.front();
+  const Triangle& t = surface.Facets.front();
   return std::all_of(points.begin(), points.end(),
     [&](const Point& p)
     {
-      return CGAL::coplanar(
-        ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]), ToInexact(p));
+      return CGAL::coplanar(ToInexact(surface.Points[t[0]]), ToInexact(surface.Points[t[1]]),
+        ToInexact(surface.Points[t[2]]), ToInexact(p));
     });
 }
 
@@ -156,19 +154,22 @@ std::vector<Point> GrownBox(const std::vector<Point>& points)
   return corners;
 }
 
-std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)
+std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& further)
 {
-  ResolvedMesh& surface = result.Surface;
   if (surface.Facets.empty())
   {
     return "No triangle of the mesh has an area: there is nothing to carve out.";
   }
+  const bool flat = AreInPlane(surface.Points, surface) && AreInPlane(further, surface);
+  return flat ? "All points lie in one plane, so that their convex hull has no volume to carve."
+              : "";
+}
+
+std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)
+{
+  ResolvedMesh& surface = result.Surface;
   std::vector<Point> points = surface.Points;
   points.insert(points.end(), further.begin(), further.end());
-  if (IsFlat(points, surface.Facets))
-  {
-    return "All points lie in one plane, so that their convex hull has no volume to carve.";
-  }
   tetgenio in, out;
   Fill(in, points, surface);
   // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
@@ -181,7 +182,7 @@ std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization
   }
   catch (int code)
   {
-    return "TetGen gave up with code " + std::to_string(code) + Advice;
+    return "TetGen gave up with code " + std::to_string(code);
   }
   for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
   {
@@ -193,7 +194,7 @@ std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization
   if (const std::size_t missing = FindConstraints(result))
   {
     return "TetGen lost " + std::to_string(missing) + " of " +
-      std::to_string(surface.Facets.size()) + " triangles of the mesh" + Advice;
+      std::to_string(surface.Facets.size()) + " triangles of the mesh";
   }
   return {};
 }

@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+/** Why there is nothing between M, with further points of C0, and its hull, or an empty string. */
+std::string CheckVolume(
+  const carving::ResolvedMesh& surface, const std::vector<carving::Point>& further);
+
 /**
  * Constrained Delaunay tetrahedralization of the convex hull of a resolved mesh and of further points,
  * by TetGen and without Steiner points on the surface: every triangle of the mesh is a face of it.

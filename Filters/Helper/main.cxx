@@ -6,11 +6,9 @@
  */
 #include "Clean.h"
 #include "InitialContour.h"
-#include "InitialSurface.h"
 #include "Intersections.h"
+#include "Ladder.h"
 #include "Protocol.h"
-#include "Resolve.h"
-#include "Tetrahedralize.h"
 #include "Triangulate.h"
 
 #include <cerrno>
@@ -18,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <functional>
 #include <iostream>
 
 #include <sys/prctl.h>
@@ -89,48 +88,14 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
-/** Resolves M and C0 together, so that they meet in common vertices and edges only. */
-std::string AddInitial(const Job& job, ResolvedMesh& surface)
-{
-  const std::string mistake = CheckInitialSurface(job.InitialMesh);
-  if (!mistake.empty())
-  {
-    return mistake;
-  }
-  AddInitialSurface(job.InitialMesh, surface);
-  surface = Clean(surface);
-  int pairs = 0; // of M with C0: not the input's
-  return Resolve(surface, pairs, {});
-}
-
-std::string TetrahedralizeWithin(const Job& job, Tetrahedralization& result)
-{
-  const std::vector<Point>& points = result.Surface.Points;
-  const bool box = job.Initial == InitialApproximation::BoundingBox && !points.empty();
-  const std::string error = Tetrahedralize(box ? GrownBox(points) : std::vector<Point>(), result);
-  return error.empty() && job.Initial == InitialApproximation::Custom
-    ? RemoveOutsideOfInitial(result)
-    : error;
-}
-
-void TetrahedralizeGiven(const Job& job, Reply& reply)
+/** Returns whether a reply has been written. */
+bool TetrahedralizeGiven(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   Reporter reporter(reply);
   CleanGiven(job, reply, reporter);
-  reporter.Begin(Stage::Resolve);
-  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs,
-    [&](double fraction) { return reporter.Report(fraction); });
-  if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
-  {
-    reply.Error = AddInitial(job, reply.Result.Surface);
-  }
-  reporter.End();
-  if (reply.Error.empty())
-  {
-    reporter.Begin(Stage::Tetrahedralize);
-    reply.Error = TetrahedralizeWithin(job, reply.Result);
-    reporter.End();
-  }
+  const LadderHost host = { [&](Stage stage) { reporter.Begin(stage); },
+    [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
+  return ClimbLadder(job, reply, host) || write();
 }
 
 void TriangulateGiven(const Job& job, Reply& reply)
@@ -150,6 +115,7 @@ void TriangulateGiven(const Job& job, Reply& reply)
   if (reply.Error.empty())
   {
     reporter.Begin(Stage::Tetrahedralize);
+    reply.Rung = "CGAL constrained Delaunay";
     reply.Error = Triangulate(contours, job.Initial, job.Contours, reply.Plane);
     reporter.End();
   }
@@ -167,6 +133,31 @@ std::string ReadAll(std::istream& in)
 }
 
 } // namespace
+
+/** Writes to the reply's file from its beginning, so that what a process before has left is gone. */
+bool WriteReply(int descriptor, Reply& reply)
+{
+  if (!reply.Error.empty())
+  {
+    reply.Result = {};
+    reply.Plane = {};
+  }
+  std::fflush(stdout);
+  dup2(descriptor, STDOUT_FILENO);
+  // Neither works on a pipe, which has nothing in it yet.
+  lseek(STDOUT_FILENO, 0, SEEK_SET);
+  const int truncated = ftruncate(STDOUT_FILENO, 0);
+  static_cast<void>(truncated);
+  Write(std::cout, reply);
+  std::cout.flush();
+  if (!std::cout)
+  {
+    std::cerr << "carving-helper: the reply could not be written: " << std::strerror(errno) << "\n";
+    std::cout.clear();
+    return false;
+  }
+  return true;
+}
 
 int main()
 {
@@ -188,31 +179,21 @@ int main()
     return 2;
   }
   Reply reply;
+  bool written = false;
+  const auto write = [&] { return WriteReply(replyDescriptor, reply); };
   switch (job.Kind)
   {
     case JobKind::Tetrahedralize:
-      TetrahedralizeGiven(job, reply);
+      written = TetrahedralizeGiven(job, reply, write);
       break;
     case JobKind::CountIntersections:
       CountIntersections(job, reply);
+      written = write();
       break;
     case JobKind::Triangulate:
       TriangulateGiven(job, reply);
+      written = write();
       break;
   }
-  if (!reply.Error.empty())
-  {
-    reply.Result = {};
-    reply.Plane = {};
-  }
-  std::fflush(stdout);
-  dup2(replyDescriptor, STDOUT_FILENO);
-  Write(std::cout, reply);
-  std::cout.flush();
-  if (!std::cout)
-  {
-    std::cerr << "carving-helper: the reply could not be written: " << std::strerror(errno) << "\n";
-    return 2;
-  }
-  return 0;
+  return written ? 0 : 2;
 }

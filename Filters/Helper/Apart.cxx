@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Apart.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+
+constexpr std::size_t Size = 8192;
+constexpr int Failed = 3;
+
+void Limit(const Limits& limits)
+{
+  if (limits.Seconds > 0.0)
+  {
+    const double whole = static_cast<double>(static_cast<long>(limits.Seconds));
+    itimerval timer = {};
+    timer.it_value.tv_sec = static_cast<time_t>(whole);
+    timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (limits.Seconds - whole)) + 1;
+    setitimer(ITIMER_REAL, &timer, nullptr); // its signal ends the process
+  }
+  if (limits.Mebibytes > 0.0)
+  {
+    const rlim_t bytes = static_cast<rlim_t>(limits.Mebibytes * 1024.0 * 1024.0);
+    const rlimit limit = { bytes, bytes };
+    setrlimit(RLIMIT_AS, &limit);
+  }
+}
+
+std::string Describe(int status, const Limits& limits)
+{
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+  {
+    char text[64];
+    std::snprintf(text, sizeof(text), "took longer than %.0f s", limits.Seconds);
+    return text;
+  }
+  if (WIFSIGNALED(status))
+  {
+    return std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
+  }
+  return WEXITSTATUS(status) == 0 ? "" : "failed";
+}
+
+} // namespace
+
+std::string RunApart(const Limits& limits, const std::function<bool()>& work)
+{
+  std::fflush(nullptr);
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child < 0)
+  {
+    return "could not be started: " + std::string(std::strerror(errno));
+  }
+  if (child == 0)
+  {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    Limit(limits);
+    bool good = false;
+    try
+    {
+      good = work();
+    }
+    catch (const std::bad_alloc&)
+    {
+      std::fputs("not enough memory\n", stderr);
+    }
+    std::fflush(nullptr);
+    _exit(good ? 0 : Failed); // destructors are the parent's
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  return Describe(status, limits);
+}
+
+Messages::Messages()
+  : Shared(static_cast<char*>(
+      mmap(nullptr, Size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)))
+{
+  if (this->Shared == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+}
+
+Messages::~Messages()
+{
+  munmap(this->Shared, Size);
+}
+
+void Messages::Add(const std::string& line)
+{
+  const std::size_t length = std::strlen(this->Shared);
+  std::snprintf(this->Shared + length, Size - length, "%s\n", line.c_str());
+}
+
+std::string Messages::Get() const
+{
+  return this->Shared;
+}

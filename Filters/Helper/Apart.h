@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Work that may crash, hang or run out of memory, done in a process of its own.
+ */
+#ifndef carving_Apart_h
+#define carving_Apart_h
+
+#include <functional>
+#include <string>
+
+/** 0: no limit. */
+struct Limits
+{
+  double Seconds = 0.0;
+  double Mebibytes = 0.0;
+};
+
+/**
+ * Forks, and calls `work` in the child, which sees all that there is here and changes none of it. Returns
+ * an empty string if `work` returned true, else what ended it. What it has written to `Say` is kept.
+ */
+std::string RunApart(const Limits& limits, const std::function<bool()>& work);
+
+/** Text that processes that are run apart, and theirs in turn, leave for this one; at most 8 KiB. */
+class Messages
+{
+public:
+  Messages();
+  ~Messages();
+  Messages(const Messages&) = delete;
+  void operator=(const Messages&) = delete;
+
+  void Add(const std::string& line);
+  std::string Get() const;
+
+private:
+  char* Shared;
+};
+
+#endif

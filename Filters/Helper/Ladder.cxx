@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Ladder.h"
+
+#include "Apart.h"
+#include "Clean.h"
+#include "Enclose.h"
+#include "InitialSurface.h"
+#include "Intersections.h"
+#include "Resolve.h"
+#include "Tetrahedralize.h"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+constexpr int NumberOfOrders = 6;
+/** Auto does not resolve where there are so many crossings for a triangle. */
+constexpr double TooManyCrossings = 2.0;
+
+/** Time enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles. */
+double PatienceOfAttempt(const Job& job, std::size_t numberOfFacets)
+{
+  const double patience = 10.0 + 1e-4 * static_cast<double>(numberOfFacets);
+  return job.TimeLimit > 0.0             ? job.TimeLimit
+    : job.Conformity == Conformity::Auto ? patience
+                                         : 6.0 * patience;
+}
+
+/** For resolving and all attempts together. */
+double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
+{
+  return job.Conformity == Conformity::Auto ? 25.0 + 2e-4 * static_cast<double>(numberOfFacets)
+                                            : 0.0;
+}
+
+/** Resolves M and C0 together, so that they meet in common vertices and edges only. */
+std::string AddInitial(const Job& job, ResolvedMesh& surface)
+{
+  const std::string mistake = CheckInitialSurface(job.InitialMesh);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  AddInitialSurface(job.InitialMesh, surface);
+  surface = Clean(surface);
+  int pairs = 0; // of M with C0: not the input's
+  return Resolve(surface, pairs, {});
+}
+
+std::vector<int> Order(std::size_t size, int seed)
+{
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  if (seed > 0)
+  {
+    std::mt19937 random(seed);
+    for (std::size_t i = size; i > 1; --i) // std::shuffle differs from library to library
+    {
+      std::swap(order[i - 1], order[random() % i]);
+    }
+  }
+  return order;
+}
+
+/** Tetrahedralizes M with its points and triangles in the order of a seed, 0 for their own. */
+std::string TetrahedralizeInOrder(
+  int seed, const std::vector<Point>& further, Tetrahedralization& result)
+{
+  ResolvedMesh& surface = result.Surface;
+  const std::size_t count = surface.Points.size();
+  const std::vector<int> points = Order(count, seed), facets = Order(surface.Facets.size(), seed);
+  std::vector<int> places(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    places[points[i]] = static_cast<int>(i);
+  }
+  Tetrahedralization shuffled;
+  for (const int i : points)
+  {
+    shuffled.Surface.Points.push_back(surface.Points[i]);
+  }
+  for (const int i : facets)
+  {
+    const Triangle& t = surface.Facets[i];
+    shuffled.Surface.Facets.push_back({ places[t[0]], places[t[1]], places[t[2]] });
+  }
+  const std::string error = Tetrahedralize(further, shuffled);
+  surface.Points.insert(surface.Points.end(),
+    shuffled.Surface.Points.begin() + static_cast<std::ptrdiff_t>(count),
+    shuffled.Surface.Points.end());
+  surface.PointSources.resize(surface.Points.size(), -1);
+  result.Cells = std::move(shuffled.Cells);
+  result.Neighbors = std::move(shuffled.Neighbors);
+  result.Constraints = std::move(shuffled.Constraints);
+  for (auto& cell : result.Cells)
+  {
+    for (int& corner : cell)
+    {
+      corner = corner < static_cast<int>(count) ? points[corner] : corner;
+    }
+  }
+  for (auto& constraints : result.Constraints)
+  {
+    for (int& facet : constraints)
+    {
+      facet = facet < 0 ? facet : facets[facet];
+    }
+  }
+  return error;
+}
+
+std::vector<Point> FurtherPoints(const Job& job, const std::vector<Point>& points)
+{
+  return job.Initial == InitialApproximation::BoundingBox && !points.empty() ? GrownBox(points)
+                                                                             : std::vector<Point>();
+}
+
+/** One attempt, in a process of its own. */
+bool Attempt(int order, const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+{
+  reply.Error =
+    TetrahedralizeInOrder(order, FurtherPoints(job, reply.Result.Surface.Points), reply.Result);
+  if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
+  {
+    reply.Error = RemoveOutsideOfInitial(reply.Result);
+    if (!reply.Error.empty())
+    {
+      host.End();
+      return host.Write(); // no other order would help
+    }
+  }
+  if (!reply.Error.empty())
+  {
+    messages.Add(reply.Rung + ": " + reply.Error);
+    return false;
+  }
+  reply.Attempts = messages.Get();
+  host.End();
+  return host.Write();
+}
+
+/** Resolves and tries all orders; in a process of its own too, so that its time can be limited. */
+bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+{
+  host.Begin(Stage::Resolve);
+  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report);
+  if (!reply.Error.empty())
+  {
+    messages.Add("Resolving: " + reply.Error);
+    return false;
+  }
+  if (job.Initial == InitialApproximation::Custom)
+  {
+    reply.Error = AddInitial(job, reply.Result.Surface);
+    if (!reply.Error.empty())
+    {
+      host.End();
+      return host.Write(); // the user's to mend
+    }
+  }
+  host.End();
+  host.Begin(Stage::Tetrahedralize);
+  const Limits limits = { PatienceOfAttempt(job, reply.Result.Surface.Facets.size()),
+    job.MemoryLimit };
+  for (int order = 0; order < NumberOfOrders; ++order)
+  {
+    reply.Rung = order == 0 ? "TetGen -pcY" : "TetGen -pcY, order " + std::to_string(order);
+    const std::string end =
+      RunApart(limits, [&] { return Attempt(order, job, reply, host, messages); });
+    if (end.empty())
+    {
+      return true;
+    }
+    if (end != "failed") // which has said why
+    {
+      messages.Add(reply.Rung + ": TetGen " + end);
+    }
+  }
+  return false;
+}
+
+bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host)
+{
+  host.Begin(Stage::Tetrahedralize);
+  const ResolvedMesh input = std::move(reply.Result.Surface);
+  reply.Rung = "Delaunay, enclosing";
+  reply.LongestKeptEdge =
+    Enclose(input, FurtherPoints(job, input.Points), host.Report, reply.Result);
+  host.End();
+  return host.Write();
+}
+
+/** Lines as one. */
+std::string Joined(std::string lines)
+{
+  while (!lines.empty() && lines.back() == '\n')
+  {
+    lines.pop_back();
+  }
+  std::replace(lines.begin(), lines.end(), '\n', ';');
+  return lines + ".";
+}
+
+bool WouldMultiply(const ResolvedMesh& surface)
+{
+  const auto crossings = FindIntersections(surface.Points, surface.Facets).size();
+  return static_cast<double>(crossings) >
+    TooManyCrossings * static_cast<double>(surface.Facets.size());
+}
+
+} // namespace
+
+bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
+{
+  if (job.Initial != InitialApproximation::Custom)
+  {
+    const ResolvedMesh& surface = reply.Result.Surface;
+    reply.Error = CheckVolume(surface, FurtherPoints(job, surface.Points));
+    if (!reply.Error.empty())
+    {
+      return false;
+    }
+  }
+  Messages messages;
+  const std::size_t numberOfFacets = reply.Result.Surface.Facets.size();
+  bool exact = job.Conformity != Conformity::Enclosing;
+  if (job.Conformity == Conformity::Auto && WouldMultiply(reply.Result.Surface))
+  {
+    messages.Add("Resolving: would multiply the mesh");
+    exact = false;
+  }
+  if (exact)
+  {
+    const Limits limits = { PatienceOfExact(job, numberOfFacets), job.MemoryLimit };
+    const std::string end =
+      RunApart(limits, [&] { return ClimbExact(job, reply, host, messages); });
+    if (end.empty())
+    {
+      return true;
+    }
+    if (end != "failed")
+    {
+      messages.Add("Resolving and tetrahedralizing: " + end);
+    }
+  }
+  reply.Attempts = messages.Get();
+  if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom &&
+    ClimbEnclosing(job, reply, host))
+  {
+    return true;
+  }
+  if (reply.Error.empty())
+  {
+    reply.Error = "TetGen does not cope with the mesh. Repair or leave out the parts that cross "
+                  "themselves or nearly touch, or let Conformity be AUTO. What was tried: " +
+      Joined(reply.Attempts);
+  }
+  return false;
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The attempts at a tetrahedralization, one after the other, until one succeeds.
+ */
+#ifndef carving_Ladder_h
+#define carving_Ladder_h
+
+#include "Protocol.h"
+
+#include <functional>
+
+/** What the ladder asks of the program around it. */
+struct LadderHost
+{
+  std::function<void(carving::Stage)> Begin;
+  std::function<bool(double)> Report;
+  std::function<void()> End;
+  /** Hands a reply over, from whichever process; what failed attempts have written is dropped. */
+  std::function<bool()> Write;
+};
+
+/**
+ * Resolves and tetrahedralizes `reply.Result.Surface`, which has been cleaned, and writes the reply. By
+ * rungs, each in a process of its own:
+ * 1. TetGen with M as it is, if need be with its points and triangles in other orders, which is all that
+ *    many failures take;
+ * 2. unless the job's conformity is Exact, the Delaunay tetrahedralization that cannot fail.
+ * Enclosing starts with 2; so does Auto where crossings are so many that resolving would multiply M.
+ * Returns false with `reply.Error` if all rungs have failed; the caller writes that.
+ */
+bool ClimbLadder(const carving::Job& job, carving::Reply& reply, const LadderHost& host);
+
+#endif

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Enclosing mode: what holds for any soup.
+ */
+#include "Checks.h"
+#include "Components.h"
+#include "HelperRun.h"
+#include "LevelSelection.h"
+#include "ManifoldCheck.h"
+#include "PropertyChecks.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+#include "Vector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+using namespace carving;
+
+namespace
+{
+
+HelperRun RunEnclosing(
+  const TriangleMesh& mesh, InitialApproximation initial = InitialApproximation::ConvexHull)
+{
+  Job job;
+  job.Mesh = mesh;
+  job.Initial = initial;
+  job.Conformity = Conformity::Enclosing;
+  return RunHelper(job);
+}
+
+/** What bounds K, without folds, and with them. */
+void GetTriangles(const Level<3>& level, std::vector<Triangle>& shell, std::vector<Triangle>& all)
+{
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    all.push_back(face.Corners);
+    if (!face.Fold)
+    {
+      shell.push_back(face.Corners);
+    }
+  }
+}
+
+double DistanceToPlanes(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& p)
+{
+  double least = HUGE_VAL;
+  for (const auto& [a, b, c] : triangles)
+  {
+    const Point normal = Cross(points[b] - points[a], points[c] - points[a]);
+    least = std::min(least, std::abs(Dot(normal, p - points[a])) / Length(normal));
+  }
+  return least;
+}
+
+/** Every level encloses the soup, does not cross itself, is a manifold and within the one before. */
+void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
+{
+  const std::vector<Point>& points = carved.Mesh.Surface.Points;
+  const std::vector<int> components = CountComponents(carved.Mesh, carved.Stream);
+  double volume = HUGE_VAL, hull = 0.0;
+  int lastComponents = 0;
+  for (const int step : SpreadLevels(carved.Profile, 4))
+  {
+    SCOPED_TRACE("step " + std::to_string(step));
+    const Level<3> level = ExtractLevel(carved.Stored, step);
+    std::vector<Triangle> shell, all;
+    GetTriangles(level, shell, all);
+    EXPECT_EQ(checks::CountCrossings(points, all), 0);
+    EXPECT_EQ(
+      checks::FindFaults(level, CutIntoManifold(carved.Stored, level)), checks::ManifoldFaults());
+    const double newVolume = checks::SixVolume(points, shell);
+    hull = std::max(hull, newVolume);
+    EXPECT_LE(newVolume, volume + 1e-12 * hull);
+    volume = newVolume;
+    EXPECT_GE(components[step], lastComponents);
+    lastComponents = components[step];
+    std::set<int> ofFolds;
+    for (const FaceLife<3>& face : level.Faces)
+    {
+      ofFolds.insert(face.Corners.begin(), face.Corners.end());
+    }
+    std::vector<char> used(given.Points.size(), 0);
+    for (const Triangle& t : given.Triangles)
+    {
+      Point middle = {};
+      for (const int corner : t)
+      {
+        used[corner] = 1;
+        for (int i = 0; i < 3; ++i)
+        {
+          middle[i] += given.Points[corner][i] / 3.0;
+        }
+      }
+      // The middle is rounded: one that lies on the surface may be beyond it by that.
+      EXPECT_TRUE(
+        checks::Encloses(points, shell, middle) || DistanceToPlanes(points, all, middle) < 1e-12);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const int source = carved.Mesh.Surface.PointSources[i];
+      if (source >= 0 && used[source])
+      {
+        EXPECT_TRUE(
+          ofFolds.count(static_cast<int>(i)) || checks::Encloses(points, shell, points[i]));
+      }
+    }
+  }
+}
+
+} // namespace
+
+// Whatever crosses whatever, levels enclose it and do not cross themselves.
+TEST(Enclose, EnclosesRandomSoups)
+{
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 40 && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    const TriangleMesh mesh = models::Soup(2 + static_cast<int>(random() % 40), random);
+    const auto initial = static_cast<InitialApproximation>(random() % 2);
+    const HelperRun run = RunEnclosing(mesh, initial);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    CarveOptions options;
+    options.DepthExponent = static_cast<double>(random() % 3);
+    options.CarveExposed = random() % 2 != 0;
+    ExpectEnclosingLevels(mesh, CarveResult(run.Reply.Result, options, SolidRule::SurfaceOnly));
+  }
+}
+
+// So they do for solids and sheets that overlap, touch and are glued.
+TEST(Enclose, EnclosesRandomMeshes)
+{
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 20 && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("mesh " + std::to_string(i));
+    const models::RandomModel model = models::MakeRandom(random);
+    const HelperRun run = RunEnclosing(model.Mesh);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    const auto rule = static_cast<SolidRule>(random() % 3);
+    ExpectEnclosingLevels(model.Mesh, CarveResult(run.Reply.Result, {}, rule));
+  }
+}
+
+// The diagonals of a cube's sides are none of Delaunay's business: nothing of it is carved, and nothing
+// kept. Between two cubes everything is.
+TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
+{
+  const TriangleMesh mesh =
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 3, 0, 0 }, { 4, 1, 1 }));
+  const HelperRun run = RunEnclosing(mesh);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  for (const char kept : run.Reply.Result.Kept)
+  {
+    EXPECT_FALSE(kept);
+  }
+  const Carved carved = CarveResult(run.Reply.Result);
+  const Level<3> last = ExtractLevel(carved.Stored, carved.Stream.LastStep());
+  std::vector<Triangle> shell, all;
+  GetTriangles(last, shell, all);
+  EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * 2.0, 1e-12);
+  EXPECT_EQ(CountComponents(carved.Mesh, carved.Stream).back(), 2);
+}
+
+// What a crossing triangle pierces is on no level carved away, and has no priority.
+TEST(Enclose, KeepsWhatIsPierced)
+{
+  TriangleMesh mesh = models::Sheet(1);
+  mesh = models::Joined(
+    mesh, { { { 0.3, 0.2, -1 }, { 0.4, 0.9, 1 }, { 0.7, 0.5, 1.5 } }, { { 0, 1, 2 } } });
+  const HelperRun run = RunEnclosing(mesh);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Carved carved = CarveResult(run.Reply.Result, {}, SolidRule::SurfaceOnly);
+  int kept = 0;
+  for (std::size_t cell = 0; cell < carved.Mesh.Kept.size(); ++cell)
+  {
+    if (carved.Mesh.Kept[cell])
+    {
+      ++kept;
+      EXPECT_EQ(carved.Stream.Step[cell], carving::Stream::Never);
+      EXPECT_TRUE(std::isnan(carved.Stream.Priority[cell]));
+    }
+  }
+  EXPECT_GT(kept, 0);
+}

@@ -72,6 +72,7 @@ void AddSettings(const CarverSettings& settings, const std::string& rung, vtkFie
   const carving::CarveOptions& carve = settings.Carve;
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, rung.c_str());
   AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
+  AddFieldValue<vtkIntArray>(fieldData, "Conformity", static_cast<int>(settings.Conformity));
   AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
   AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
   AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);

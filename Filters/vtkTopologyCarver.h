@@ -32,7 +32,8 @@
  * - points: the input's point data, exact on input points, on new points interpolated at the
  *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point.
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved"), `Rung` (how the
- *   mesh was tetrahedralized), `FeatureSize` (the smallest priority popped up to this step, a length;
+ *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "Delaunay, enclosing"),
+ *   `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0).
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
@@ -44,6 +45,10 @@
  * `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
  * settings by the names of the properties, and the profile as `ProfileVertices`, `ProfileTriangles`,
  * `ProfilePriority`. vtkExtractCarvedLOD gives any level from it.
+ *
+ * In enclosing mode (see Conformity) M need not be a union of faces. The triangles of M in the stream and
+ * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:
+ * those of the solid, and those that M pierces, have `Step` -1 and `Priority` NaN.
  *
  * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Priority` (popped at that step).
  *

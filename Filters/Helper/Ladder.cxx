@@ -5,11 +5,11 @@
 #include "Clean.h"
 #include "Enclose.h"
 #include "InitialSurface.h"
-#include "Intersections.h"
 #include "Resolve.h"
 #include "Tetrahedralize.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -148,7 +148,10 @@ bool Attempt(int order, const Job& job, Reply& reply, const LadderHost& host, Me
 bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
   host.Begin(Stage::Resolve);
-  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report);
+  const double maximumPairs = job.Conformity == Conformity::Auto
+    ? TooManyCrossings * static_cast<double>(reply.Result.Surface.Facets.size())
+    : HUGE_VAL;
+  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report, maximumPairs);
   if (!reply.Error.empty())
   {
     messages.Add("Resolving: " + reply.Error);
@@ -206,13 +209,6 @@ std::string Joined(std::string lines)
   return lines + ".";
 }
 
-bool WouldMultiply(const ResolvedMesh& surface)
-{
-  const auto crossings = FindIntersections(surface.Points, surface.Facets).size();
-  return static_cast<double>(crossings) >
-    TooManyCrossings * static_cast<double>(surface.Facets.size());
-}
-
 } // namespace
 
 bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
@@ -228,13 +224,7 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
   }
   Messages messages;
   const std::size_t numberOfFacets = reply.Result.Surface.Facets.size();
-  bool exact = job.Conformity != Conformity::Enclosing;
-  if (job.Conformity == Conformity::Auto && WouldMultiply(reply.Result.Surface))
-  {
-    messages.Add("Resolving: would multiply the mesh");
-    exact = false;
-  }
-  if (exact)
+  if (job.Conformity != Conformity::Enclosing)
   {
     const Limits limits = { PatienceOfExact(job, numberOfFacets), job.MemoryLimit };
     const std::string end =

@@ -119,12 +119,18 @@ void AppendPieces(const ResolvedMesh& mesh, int triangle, const Cuts& cuts, Reso
 
 } // namespace
 
-std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress)
+std::string Resolve(
+  ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
   // Nearly every mesh is clean after one round; the limit ends those that rounding keeps dirty.
   constexpr int maximumRounds = 10;
   std::vector<std::pair<int, int>> pairs = FindIntersections(mesh.Points, mesh.Facets);
   intersectingPairs = static_cast<int>(pairs.size());
+  if (static_cast<double>(pairs.size()) > maximumPairs)
+  {
+    return std::to_string(pairs.size()) +
+      " pairs of triangles cross each other: resolving them would multiply the mesh.";
+  }
   for (int round = 0; !pairs.empty(); ++round)
   {
     if (round == maximumRounds)

@@ -5,6 +5,7 @@
 #include "Mesh.h"
 #include "Progress.h"
 
+#include <cmath>
 #include <string>
 
 /**
@@ -13,9 +14,10 @@
  * new intersections, it looks again until none is left.
  *
  * `mesh` has been cleaned and stays so. `intersectingPairs` is the number of pairs in the given
- * mesh. Returns an empty string or why no clean mesh was reached.
+ * mesh; with more than `maximumPairs` nothing is split. Returns an empty string or why no clean mesh was
+ * reached.
  */
-std::string Resolve(
-  carving::ResolvedMesh& mesh, int& intersectingPairs, const carving::Progress& progress);
+std::string Resolve(carving::ResolvedMesh& mesh, int& intersectingPairs,
+  const carving::Progress& progress, double maximumPairs = HUGE_VAL);
 
 #endif

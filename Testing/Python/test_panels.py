@@ -89,6 +89,7 @@ class TestPanels(unittest.TestCase):
             "SetPriorityMeasure": "LONGEST_EDGE VOLUME CIRCUMRADIUS EDGE_VOLUME",
             "SetDepthMeasure": "HIERARCHY DISTANCE",
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
+            "SetConformity": "EXACT ENCLOSING AUTO",
             "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE STEP",
         }
         seen = set()

@@ -5,10 +5,14 @@
 #include "MemoryFile.h"
 #include "OffReader.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
@@ -16,6 +20,7 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <fstream>
 #include <vector>
 #include <zlib.h>
@@ -96,6 +101,23 @@ std::string ReadFormat(
   return {};
 }
 
+/** Names of arrays come from the file, in any encoding; VTK's XML files can be read in ASCII and UTF-8. */
+void MakeNamesReadable(vtkFieldData* arrays)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    std::string name = array->GetName() ? array->GetName() : "";
+    const std::string given = name;
+    std::replace_if(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '_');
+    if (name != given)
+    {
+      array->SetName(name.c_str());
+    }
+  }
+}
+
 /** Unpacks a gzipped file; plain files pass unchanged. */
 std::string Unpack(const std::string& fileName, const MemoryFile& unpacked)
 {
@@ -143,6 +165,9 @@ std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, 
   {
     error = ReadFormat(fileName, SystemTools::GetFilenameLastExtension(plainName), log, mesh);
   }
+  MakeNamesReadable(mesh->GetPointData());
+  MakeNamesReadable(mesh->GetCellData());
+  MakeNamesReadable(mesh->GetFieldData());
   const bool hasLines = mesh->GetNumberOfLines() > 0;
   if (error.empty() && mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0 &&
     !(hasLines && wanted == Wanted::Contours))

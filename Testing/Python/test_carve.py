@@ -296,6 +296,16 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
         self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
 
+    def test_writes_names_that_can_be_read(self):
+        """Material names of an OBJ in another encoding do not make the levels unreadable."""
+        with open(self.path("latin.obj"), "wb") as file:
+            file.write(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nusemtl Terr\xe6n\n")
+            for a, b, c in ((1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)):
+                file.write(b"f %d/1 %d/1 %d/1\n" % (a, b, c))
+        self.assertEqual(self.run_carve("latin.obj", "-o", "levels.vtm").returncode, 0)
+        level = read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetBlock(0)
+        self.assertEqual(level.GetNumberOfPolys(), 4)
+
     def test_carves_contours(self):
         """Contours go from their hull, a square on whose sides six of their points lie, to the U that they draw."""
         corners = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]

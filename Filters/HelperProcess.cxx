@@ -103,11 +103,6 @@ public:
     this->Keep();
     std::string words =
       std::string(" while it was busy with: ") + carving::StageName(this->Stage) + ".";
-    if (this->Stage == carving::Stage::Tetrahedralize)
-    {
-      words += " TetGen does not cope with every mesh. Repair or leave out the parts that cross "
-               "themselves or nearly touch, and try again.";
-    }
     if (!this->Words.empty())
     {
       words += " Its last words: " + this->Words;

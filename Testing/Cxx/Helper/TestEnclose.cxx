@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -32,6 +33,13 @@ HelperRun RunEnclosing(
   job.Initial = initial;
   job.Conformity = Conformity::Enclosing;
   return RunHelper(job);
+}
+
+/** How many random soups to try: a slice by default, more through the environment. */
+int NumberOfRandomSoups()
+{
+  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_SOUPS");
+  return number ? std::atoi(number) : 40;
 }
 
 /** What bounds K, without folds, and with them. */
@@ -120,7 +128,7 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
 TEST(Enclose, EnclosesRandomSoups)
 {
   std::mt19937_64 random(7);
-  for (int i = 0; i < 40 && !testing::Test::HasFailure(); ++i)
+  for (int i = 0; i < NumberOfRandomSoups() && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
     const TriangleMesh mesh = models::Soup(2 + static_cast<int>(random() % 40), random);

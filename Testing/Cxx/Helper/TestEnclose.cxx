@@ -97,6 +97,11 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
     std::vector<char> used(given.Points.size(), 0);
     for (const Triangle& t : given.Triangles)
     {
+      const Point &a = given.Points[t[0]], &b = given.Points[t[1]], &c = given.Points[t[2]];
+      if (Length(Cross(b - a, c - a)) == 0.0)
+      {
+        continue; // without area: not of M
+      }
       Point middle = {};
       for (const int corner : t)
       {

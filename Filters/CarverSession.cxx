@@ -306,6 +306,17 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
       return false;
     }
   }
+  if constexpr (D == 3)
+  {
+    if (this->Settings.AppendInput && !leaf->Reply.Result.Kept.empty())
+    {
+      vtkNew<vtkPolyData> level;
+      FillInputLevel(
+        leaf->Reply.Result.Unresolved, result.Profile, input, leaf->Input.CellIds, grid, level);
+      ports.Levels->SetBlock(count, level);
+      SetBlockName(ports.Levels, count, "LOD " + std::to_string(count));
+    }
+  }
   const bool goOn = this->Report(OutputStage, 1.0);
   ++this->LeavesDone;
   return goOn;

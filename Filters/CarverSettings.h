@@ -18,6 +18,7 @@ struct CarverSettings
 {
   carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Auto;
+  bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;

@@ -16,6 +16,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <initializer_list>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -30,6 +32,21 @@ void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes
   to->CopyAllOn();
   to->CopyAllocate(from, count);
   to->CopyData(from, ids, all);
+}
+
+void FillFieldData(const carving::Profile& profile, int step, const char* kind, int newVertices,
+  vtkIdType numberOfFaces, vtkUnstructuredGrid* grid, vtkFieldData* fieldData)
+{
+  AddFieldValue<vtkIntArray>(fieldData, "Step", step);
+  AddFieldValue<vtkIdTypeArray>(fieldData, "Vertices", profile.Vertices[step]);
+  AddFieldValue<vtkIdTypeArray>(fieldData, "NewVertices", newVertices);
+  AddFieldValue<vtkIdTypeArray>(fieldData, "Triangles", numberOfFaces);
+  AddFieldValue<vtkStringArray>(fieldData, "Kind", kind);
+  if (vtkAbstractArray* rung = grid->GetFieldData()->GetAbstractArray(StreamArrays::Rung))
+  {
+    fieldData->AddArray(rung);
+  }
+  AddFieldValue<vtkDoubleArray>(fieldData, "FeatureSize", profile.FeatureSize[step]);
 }
 
 } // namespace
@@ -93,17 +110,52 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   }
   CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
 
-  vtkFieldData* fieldData = output->GetFieldData();
-  AddFieldValue<vtkIntArray>(fieldData, "Step", step);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "Vertices", profile.Vertices[step]);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "NewVertices", newVertices);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "Triangles", numberOfFaces);
-  AddFieldValue<vtkStringArray>(fieldData, "Kind", "carved");
-  if (vtkAbstractArray* rung = grid->GetFieldData()->GetAbstractArray(StreamArrays::Rung))
+  FillFieldData(profile, step, "carved", newVertices, numberOfFaces, grid, output->GetFieldData());
+}
+
+void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
+  vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,
+  vtkPolyData* output)
+{
+  const vtkIdType numberOfPoints = static_cast<vtkIdType>(mesh.Points.size());
+  const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Facets.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(numberOfPoints);
+  vtkNew<vtkIdList> pointIds, faceIds;
+  auto originalPoints = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, numberOfPoints);
+  for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
-    fieldData->AddArray(rung);
+    points->SetPoint(i, mesh.Points[i].data());
+    pointIds->InsertNextId(mesh.PointSources[i]);
+    originalPoints->SetValue(i, mesh.PointSources[i]);
   }
-  AddFieldValue<vtkDoubleArray>(fieldData, "FeatureSize", profile.FeatureSize[step]);
+  vtkNew<vtkCellArray> polys;
+  auto originalCells = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, numberOfFaces);
+  auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, numberOfFaces);
+  auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, numberOfFaces);
+  priority->Fill(std::numeric_limits<double>::quiet_NaN());
+  depth->Fill(0.0);
+  for (vtkIdType i = 0; i < numberOfFaces; ++i)
+  {
+    const auto& [a, b, c] = mesh.Facets[i];
+    polys->InsertNextCell({ a, b, c });
+    const vtkIdType original = cellIds[mesh.FacetSources[i]];
+    faceIds->InsertNextId(original);
+    originalCells->SetValue(i, original);
+  }
+  output->SetPoints(points);
+  output->SetPolys(polys);
+  CopyTuples(input->GetPointData(), pointIds, output->GetPointData());
+  CopyTuples(input->GetCellData(), faceIds, output->GetCellData());
+  output->GetPointData()->AddArray(originalPoints);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ priority, depth, originalCells })
+  {
+    output->GetCellData()->AddArray(array);
+  }
+  FillFieldData(
+    profile, profile.LastStep(), "input", 0, numberOfFaces, grid, output->GetFieldData());
+  AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), "Vertices", numberOfPoints);
 }
 
 template void FillLevel<2>(const carving::StoredStream<2>&, const carving::Profile&,

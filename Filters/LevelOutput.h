@@ -8,6 +8,9 @@
 
 #include "Profile.h"
 #include "StoredStream.h"
+#include "vtkType.h"
+
+#include <vector>
 
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -16,5 +19,13 @@ class vtkUnstructuredGrid;
 template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
   vtkUnstructuredGrid* grid, int step, bool manifold, vtkPolyData* output);
+
+/**
+ * M as given, as a last level, where it is enclosed only; `cellIds` has the cell of `input` for every
+ * triangle that the helper program was given.
+ */
+void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
+  vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,
+  vtkPolyData* output);
 
 #endif

@@ -190,6 +190,17 @@ public:
 
   ///@{
   /**
+   * Whether a mesh that is enclosed only follows its own tightest level as a last one, with the field data
+   * `Kind` "input": it may cross itself and need not be a manifold. Default off. Of no effect in exact
+   * mode, where the last level is the mesh, and on contours.
+   */
+  vtkSetMacro(AppendInput, bool);
+  vtkGetMacro(AppendInput, bool);
+  vtkBooleanMacro(AppendInput, bool);
+  ///@}
+
+  ///@{
+  /**
    * The most that one attempt at a tetrahedralization may take, in seconds and in MiB; then it counts as
    * failed. 0, the default: no limit on memory, and a time in which TetGen does any mesh that it can.
    */
@@ -303,6 +314,7 @@ protected:
   bool CarveVoids = true;
   int SolidRule = NONZERO_WINDING;
   int Conformity = AUTO;
+  bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;
   int NumberOfLevels = 8;

@@ -31,7 +31,8 @@
  *   -1 for a carved face; the input's cell data, 0 on carved faces.
  * - points: the input's point data, exact on input points, on new points interpolated at the
  *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point.
- * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved"), `Rung` (how the
+ * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
+ *   "input" for the level that AppendInput appends), `Rung` (how the
  *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "Delaunay, enclosing"),
  *   `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0).

@@ -119,6 +119,9 @@ PROPERTY OPTIONS
         it is not used, and levels enclose the mesh without ending in it; or the
         second where the first fails. Default: auto.
 
+    --append-input on|off
+        Whether a mesh that is only enclosed follows as a last level. Default: off.
+
     --time-limit SECONDS
     --memory-limit MIB
         The most that one attempt at a tetrahedralization may take. Default: 0, no
@@ -248,6 +251,7 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "solid-rule"
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
     : name == "conformity"     ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
+    : name == "append-input"   ? ParseSwitch(name, text, options.AppendInput)
     : name == "time-limit"     ? ParseNotNegative(name, text, options.TimeLimit)
     : name == "memory-limit"   ? ParseNotNegative(name, text, options.MemoryLimit)
     : name == "depth-exponent" ? ParseNotNegative(name, text, options.DepthExponent)
@@ -287,6 +291,7 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "carve-voids", required_argument, nullptr, 'p' },
     { "solid-rule", required_argument, nullptr, 'p' },
     { "conformity", required_argument, nullptr, 'p' },
+    { "append-input", required_argument, nullptr, 'p' },
     { "time-limit", required_argument, nullptr, 'p' },
     { "memory-limit", required_argument, nullptr, 'p' },
     { "keep-both-fold-sides", required_argument, nullptr, 'p' },

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include "RandomModels.h"
+#include "Shapes.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace
+{
+
+/** Two triangles through each other, above a third. */
+vtkSmartPointer<vtkPolyData> Crossing()
+{
+  carving::TriangleMesh mesh;
+  mesh.Points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 }, { 1, 1, 3 }, { 3, 3, 1 },
+    { -2, -2, -3 }, { 6, -2, -3 }, { -2, 6, -3 } };
+  mesh.Triangles = { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } };
+  vtkSmartPointer<vtkPolyData> data = ToPolyData(mesh);
+  vtkNew<vtkIntArray> colors;
+  colors->SetName("Color");
+  for (const int color : { 7, 8, 9 })
+  {
+    colors->InsertNextValue(color);
+  }
+  data->GetCellData()->AddArray(colors);
+  return data;
+}
+
+std::string GetText(vtkPolyData* level, const char* name)
+{
+  return vtkStringArray::SafeDownCast(level->GetFieldData()->GetAbstractArray(name))->GetValue(0);
+}
+
+} // namespace
+
+// The rung that a stream and its levels stand on is in their field data.
+TEST(Conformity, IsSaidInTheFieldData)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(Crossing());
+  carver->Update();
+  EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"), "TetGen -pcY");
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->Update();
+  EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"), "Delaunay, enclosing");
+}
+
+// In enclosing mode no point is made, and a stored stream gives the same levels.
+TEST(Conformity, EnclosingKeepsVerticesAndStreams)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(Crossing());
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
+  carver->Update();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputDataObject(0, carver->GetOutputDataObject(1));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  const int count = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  ASSERT_GT(count, 1);
+  for (int i = 0; i < count; ++i)
+  {
+    vtkPolyData* level = GetLevel(carver, i);
+    EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), 0);
+    extract->SetLevelTarget(GetLevelStep(carver, i));
+    extract->Update();
+    EXPECT_EQ(GetTriangles(extract->GetOutput()), GetTriangles(level));
+  }
+}
+
+// The input follows as given, with its data, where it is enclosed only and that is wished for.
+TEST(Conformity, AppendsTheInputOnRequest)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  auto input = Crossing();
+  carver->SetInputData(input);
+  carver->AppendInputOn();
+  carver->Update();
+  const unsigned int exact = carver->GetOutput()->GetNumberOfBlocks();
+  EXPECT_EQ(GetText(GetLevel(carver, static_cast<int>(exact) - 1), "Kind"), "carved");
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->Update();
+  const int last = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1;
+  vtkPolyData* level = GetLevel(carver, last);
+  EXPECT_EQ(GetText(level, "Kind"), "input");
+  EXPECT_EQ(GetText(GetLevel(carver, last - 1), "Kind"), "carved");
+  EXPECT_EQ(GetTriangles(level), GetTriangles(input));
+  for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
+  {
+    const double cell = level->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i);
+    EXPECT_EQ(level->GetCellData()->GetArray("Color")->GetTuple1(i), 7 + cell);
+    EXPECT_TRUE(std::isnan(level->GetCellData()->GetArray("Priority")->GetTuple1(i)));
+  }
+}
+
+// Neither conformity nor a limit that is not met carves what was tetrahedralized already a second time.
+TEST(Conformity, IsCachedLikeTheOtherSettings)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->Update();
+  const OtherHelper broken("/bin/false");
+  carver->SetNumberOfLevels(3);
+  carver->AppendInputOn();
+  Messages messages(carver);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  carver->SetConformity(vtkTopologyCarver::EXACT);
+  carver->Update();
+  EXPECT_EQ(messages.Errors.size(), 1u);
+}

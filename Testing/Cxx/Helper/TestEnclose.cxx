@@ -203,3 +203,20 @@ TEST(Enclose, KeepsWhatIsPierced)
   }
   EXPECT_GT(kept, 0);
 }
+
+// Box in box: by winding all of it is solid, by parity the inner one is hollow, and by the surface alone
+// everything is.
+TEST(Enclose, KnowsSolidsByEveryRule)
+{
+  const HelperRun run = RunEnclosing(
+    models::Joined(models::Box({ 0, 0, 0 }, { 4, 4, 4 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 })));
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  for (const auto& [rule, volume] : { std::pair(SolidRule::NonzeroWinding, 64.0),
+         std::pair(SolidRule::EvenOdd, 64.0 - 8.0), std::pair(SolidRule::SurfaceOnly, 0.0) })
+  {
+    const Carved carved = CarveResult(run.Reply.Result, {}, rule);
+    std::vector<Triangle> shell, all;
+    GetTriangles(ExtractLevel(carved.Stored, carved.Stream.LastStep()), shell, all);
+    EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * volume, 1e-9);
+  }
+}

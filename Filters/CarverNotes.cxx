@@ -23,13 +23,15 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
   {
     texts.push_back("An attempt failed. " + line);
   }
-  const auto kept = std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1);
-  if (!reply.Result.Kept.empty())
+  const carving::Tetrahedralization& result = reply.Result;
+  if (!result.Kept.empty())
   {
+    const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
     std::ostringstream text;
     text << "The mesh is enclosed, not met: " << kept
-         << " tetrahedra that it pierces stay, the longest "
-         << "of them " << reply.LongestKeptEdge << " long, and no level comes closer there.";
+         << " tetrahedra that it pierces stay and reach " << reply.KeptDistance
+         << " from it. For that " << reply.PointsAdded << " vertices were added to its "
+         << result.Unresolved.Points.size() << ".";
     texts.push_back(text.str());
   }
 }
@@ -67,12 +69,18 @@ void AddNotes(std::vector<std::string> texts, const carving::Reply& reply, int g
   fieldData->AddArray(notes);
 }
 
-void AddSettings(const CarverSettings& settings, const std::string& rung, vtkFieldData* fieldData)
+void AddSettings(
+  const CarverSettings& settings, const carving::Reply& reply, vtkFieldData* fieldData)
 {
   const carving::CarveOptions& carve = settings.Carve;
-  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, rung.c_str());
+  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, reply.Rung.c_str());
+  if (!reply.Result.Kept.empty())
+  {
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
+  }
   AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
   AddFieldValue<vtkIntArray>(fieldData, "Conformity", static_cast<int>(settings.Conformity));
+  AddFieldValue<vtkDoubleArray>(fieldData, "EnclosingTolerance", settings.EnclosingTolerance);
   AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
   AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
   AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);

@@ -17,7 +17,11 @@ class vtkFieldData;
 void AddNotes(std::vector<std::string> texts, const carving::Reply& reply, int guessedRegions,
   bool nothingToCarve, vtkFieldData* fieldData);
 
-/** The settings that a stream has been made with, by the names of the filter's properties. */
-void AddSettings(const CarverSettings& settings, const std::string& rung, vtkFieldData* fieldData);
+/**
+ * The settings that a stream has been made with, by the names of the filter's properties, and how its mesh
+ * was tetrahedralized.
+ */
+void AddSettings(
+  const CarverSettings& settings, const carving::Reply& reply, vtkFieldData* fieldData);
 
 #endif

@@ -74,7 +74,8 @@ namespace
 /** Whether the helper program would make the same of a mesh. */
 bool SameForHelper(const CarverSettings& a, const CarverSettings& b)
 {
-  return a.Initial == b.Initial && a.Conformity == b.Conformity && a.TimeLimit == b.TimeLimit &&
+  return a.Initial == b.Initial && a.Conformity == b.Conformity &&
+    a.EnclosingTolerance == b.EnclosingTolerance && a.TimeLimit == b.TimeLimit &&
     a.MemoryLimit == b.MemoryLimit;
 }
 
@@ -190,6 +191,7 @@ bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
   carving::Job job;
   job.Initial = leaf.Settings.Initial;
   job.Conformity = leaf.Settings.Conformity;
+  job.EnclosingTolerance = leaf.Settings.EnclosingTolerance;
   job.TimeLimit = leaf.Settings.TimeLimit;
   job.MemoryLimit = leaf.Settings.MemoryLimit;
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
@@ -290,7 +292,7 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(ports.Stream);
   FillStream(result.Stream, result.Profile, input, leaf->Input.CellIds, grid);
-  AddSettings(this->Settings, leaf->Reply.Rung, grid->GetFieldData());
+  AddSettings(this->Settings, leaf->Reply, grid->GetFieldData());
   FillProfile(result.Profile, vtkTable::SafeDownCast(ports.Profile));
   const std::vector<int> steps = this->SelectLevels(result.Profile);
   const unsigned int count = static_cast<unsigned int>(steps.size());

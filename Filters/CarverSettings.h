@@ -18,6 +18,7 @@ struct CarverSettings
 {
   carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Auto;
+  double EnclosingTolerance = 0.02;
   bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;

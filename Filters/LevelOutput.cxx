@@ -42,9 +42,12 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
   AddFieldValue<vtkIdTypeArray>(fieldData, "NewVertices", newVertices);
   AddFieldValue<vtkIdTypeArray>(fieldData, "Triangles", numberOfFaces);
   AddFieldValue<vtkStringArray>(fieldData, "Kind", kind);
-  if (vtkAbstractArray* rung = grid->GetFieldData()->GetAbstractArray(StreamArrays::Rung))
+  for (const char* name : { StreamArrays::Rung, StreamArrays::KeptDistance })
   {
-    fieldData->AddArray(rung);
+    if (vtkAbstractArray* array = grid->GetFieldData()->GetAbstractArray(name))
+    {
+      fieldData->AddArray(array);
+    }
   }
   AddFieldValue<vtkDoubleArray>(fieldData, "FeatureSize", profile.FeatureSize[step]);
 }

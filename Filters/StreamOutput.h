@@ -31,6 +31,7 @@ constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 constexpr const char* Measure = "PriorityMeasure";
 constexpr const char* BothFoldSides = "KeepBothFoldSides";
 constexpr const char* Rung = "Rung";
+constexpr const char* KeptDistance = "KeptDistance";
 constexpr const char* ProfileVertices = "ProfileVertices";
 constexpr const char* ProfileTriangles = "ProfileTriangles";
 constexpr const char* ProfilePriority = "ProfilePriority";

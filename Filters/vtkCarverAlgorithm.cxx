@@ -141,6 +141,7 @@ int vtkCarverAlgorithm::RequestData(
   settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
   settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
   settings.Conformity = static_cast<carving::Conformity>(this->Conformity);
+  settings.EnclosingTolerance = this->EnclosingTolerance;
   settings.AppendInput = this->AppendInput;
   settings.TimeLimit = this->TimeLimit;
   settings.MemoryLimit = this->MemoryLimit;
@@ -207,6 +208,7 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
   os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
   os << indent << "Conformity: " << conformities[this->Conformity] << "\n";
+  os << indent << "EnclosingTolerance: " << this->EnclosingTolerance << "\n";
   os << indent << "AppendInput: " << (this->AppendInput ? "On" : "Off") << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";

@@ -178,7 +178,7 @@ public:
    * - EXACT: TetGen is tried with up to six orders of the points and triangles; then it is an error. The
    *   last level is M.
    * - ENCLOSING: Delaunay, which never fails. Tetrahedra that M pierces are kept for good: levels enclose
-   *   M, have its vertices and do not cross themselves, but the last only comes near M.
+   *   M and do not cross themselves, but the last only comes near M (see EnclosingTolerance).
    * - AUTO (default): EXACT; where that fails, takes too long or M crosses itself in so many places that
    *   resolving it would multiply it, ENCLOSING.
    *
@@ -186,6 +186,18 @@ public:
    */
   vtkSetClampMacro(Conformity, int, EXACT, AUTO);
   vtkGetMacro(Conformity, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far the tetrahedra that a mesh pierces, which no level carves, may reach from it in ENCLOSING mode,
+   * as a share of the diagonal of the mesh's bounding box. Where they reach farther, vertices are put on
+   * the mesh's triangles and near them until they do not, but no more than 10 times the mesh's own and
+   * 100,000. The field data's `KeptDistance` says what has been reached. Default 0.02, range 0 to 1; 0: no
+   * vertex is added, and levels have the mesh's alone.
+   */
+  vtkSetClampMacro(EnclosingTolerance, double, 0.0, 1.0);
+  vtkGetMacro(EnclosingTolerance, double);
   ///@}
 
   ///@{
@@ -314,6 +326,7 @@ protected:
   bool CarveVoids = true;
   int SolidRule = NONZERO_WINDING;
   int Conformity = AUTO;
+  double EnclosingTolerance = 0.02;
   bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;

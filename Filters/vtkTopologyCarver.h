@@ -34,7 +34,8 @@
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
  *   "input" for the level that AppendInput appends), `Rung` (how the
  *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "Delaunay, enclosing"),
- *   `FeatureSize` (the smallest priority popped up to this step, a length;
+ *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
+ *   from it, to 5 %), `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0).
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:

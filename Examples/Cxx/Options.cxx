@@ -119,6 +119,11 @@ PROPERTY OPTIONS
         it is not used, and levels enclose the mesh without ending in it; or the
         second where the first fails. Default: auto.
 
+    --enclosing-tolerance X
+        How far what cannot be carved may reach from a mesh that is only enclosed, as
+        a share of the mesh's diagonal; vertices are added until it holds. 0: none
+        are. Default: 0.02.
+
     --append-input on|off
         Whether a mesh that is only enclosed follows as a last level. Default: off.
 
@@ -240,6 +245,13 @@ std::string ParseNotNegative(const std::string& name, const std::string& text, d
     : "--" + name + " wants a number of 0 or more, not \"" + text + "\"";
 }
 
+std::string ParseShare(const std::string& name, const std::string& text, double& value)
+{
+  return ToNumber(text, value) && value >= 0.0 && value <= 1.0
+    ? ""
+    : "--" + name + " wants a number from 0 to 1, not \"" + text + "\"";
+}
+
 /** Options that set a property of the filter. */
 std::string ParseProperty(const std::string& name, const std::string& text, Options& options)
 {
@@ -250,13 +262,14 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "depth-measure" ? ParseChoice(name, "hierarchy|distance", text, options.DepthMeasure)
     : name == "solid-rule"
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
-    : name == "conformity"     ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
-    : name == "append-input"   ? ParseSwitch(name, text, options.AppendInput)
-    : name == "time-limit"     ? ParseNotNegative(name, text, options.TimeLimit)
-    : name == "memory-limit"   ? ParseNotNegative(name, text, options.MemoryLimit)
-    : name == "depth-exponent" ? ParseNotNegative(name, text, options.DepthExponent)
-    : name == "breadth-radius" ? ParseNotNegative(name, text, options.BreadthRadius)
-    : name == "carve-voids"    ? ParseSwitch(name, text, options.CarveVoids)
+    : name == "conformity" ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
+    : name == "enclosing-tolerance"  ? ParseShare(name, text, options.EnclosingTolerance)
+    : name == "append-input"         ? ParseSwitch(name, text, options.AppendInput)
+    : name == "time-limit"           ? ParseNotNegative(name, text, options.TimeLimit)
+    : name == "memory-limit"         ? ParseNotNegative(name, text, options.MemoryLimit)
+    : name == "depth-exponent"       ? ParseNotNegative(name, text, options.DepthExponent)
+    : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
     : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
     : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
                                      : ParseSwitch(name, text, options.CarveExposed);
@@ -291,6 +304,7 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "carve-voids", required_argument, nullptr, 'p' },
     { "solid-rule", required_argument, nullptr, 'p' },
     { "conformity", required_argument, nullptr, 'p' },
+    { "enclosing-tolerance", required_argument, nullptr, 'p' },
     { "append-input", required_argument, nullptr, 'p' },
     { "time-limit", required_argument, nullptr, 'p' },
     { "memory-limit", required_argument, nullptr, 'p' },

@@ -38,6 +38,7 @@ struct Options
   bool ManifoldOutput = true;
   int SolidRule = 0;
   int Conformity = 2;
+  double EnclosingTolerance = 0.02;
   bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;

@@ -151,6 +151,7 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   carver->SetCarveVoids(options.CarveVoids);
   carver->SetSolidRule(options.SolidRule);
   carver->SetConformity(options.Conformity);
+  carver->SetEnclosingTolerance(options.EnclosingTolerance);
   carver->SetAppendInput(options.AppendInput);
   carver->SetTimeLimit(options.TimeLimit);
   carver->SetMemoryLimit(options.MemoryLimit);

@@ -16,8 +16,8 @@ namespace
 {
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '4' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '3' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '5' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '4' };
 
 class Writer
 {
@@ -123,6 +123,7 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Kind);
   archive.Value(job.Initial);
   archive.Value(job.Conformity);
+  archive.Value(job.EnclosingTolerance);
   archive.Value(job.TimeLimit);
   archive.Value(job.MemoryLimit);
   archive.Array(job.Mesh.Points);
@@ -166,7 +167,8 @@ void VisitReply(Archive& archive, ReplyType& reply)
   VisitDecomposition(archive, reply.Plane);
   archive.Array(reply.Rung);
   archive.Array(reply.Attempts);
-  archive.Value(reply.LongestKeptEdge);
+  archive.Value(reply.KeptDistance);
+  archive.Value(reply.PointsAdded);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
 }

@@ -53,6 +53,8 @@ struct Job
   JobKind Kind = JobKind::Tetrahedralize;
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Exact;
+  /** How far what is kept may reach from M, a share of the diagonal of M's bounds; 0: any distance. */
+  double EnclosingTolerance = 0.02;
   double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
   TriangleMesh Mesh;
@@ -77,9 +79,10 @@ struct Reply
   std::string Error;
   Tetrahedralization Result;
   Decomposition<2> Plane;
-  std::string Rung;             ///< how it was tetrahedralized
-  std::string Attempts;         ///< what was tried before, and why it failed, a line each
-  double LongestKeptEdge = 0.0; ///< in enclosing mode
+  std::string Rung;          ///< how it was tetrahedralized
+  std::string Attempts;      ///< what was tried before, and why it failed, a line each
+  double KeptDistance = 0.0; ///< in enclosing mode: how far what is kept reaches from M, to 5 %
+  int PointsAdded = 0;       ///< for that
   /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */

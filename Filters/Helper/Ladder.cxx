@@ -192,8 +192,10 @@ bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host)
   host.Begin(Stage::Tetrahedralize);
   const ResolvedMesh input = std::move(reply.Result.Surface);
   reply.Rung = "Delaunay, enclosing";
-  reply.LongestKeptEdge =
-    Enclose(input, FurtherPoints(job, input.Points), host.Report, reply.Result);
+  const std::vector<Point> further = FurtherPoints(job, input.Points);
+  reply.KeptDistance = Enclose(input, further, job.EnclosingTolerance, host.Report, reply.Result);
+  reply.PointsAdded =
+    static_cast<int>(reply.Result.Surface.Points.size() - input.Points.size() - further.size());
   host.End();
   return host.Write();
 }

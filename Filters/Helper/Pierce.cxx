@@ -3,6 +3,9 @@
 
 #include <CGAL/Filtered_predicate.h>
 
+#include <algorithm>
+#include <cmath>
+
 using carving::FaceCorners;
 
 namespace
@@ -27,6 +30,13 @@ using FilteredSideAlongEdges = CGAL::Filtered_predicate<SideAlongEdges<Inexact::
 constexpr int Edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
 constexpr int Others[6][2] = { { 2, 3 }, { 1, 3 }, { 1, 2 }, { 0, 3 }, { 0, 2 }, { 0, 1 } };
 
+/** Common corners are frequent: what they are on is known without exact arithmetic. */
+CGAL::Orientation SideOfPlane(const Inexact::Point_3& a, const Inexact::Point_3& b,
+  const Inexact::Point_3& c, const Inexact::Point_3& x)
+{
+  return x == a || x == b || x == c ? CGAL::COPLANAR : CGAL::orientation(a, b, c, x);
+}
+
 bool FaceSeparates(const Corners3& t, const Corners4& k)
 {
   for (const auto& f : FaceCorners)
@@ -35,7 +45,7 @@ bool FaceSeparates(const Corners3& t, const Corners4& k)
     for (int i = 0; i < 3 && outside; ++i)
     {
       // Corners that see a face counter-clockwise are in front of it.
-      outside = CGAL::orientation(k[f[0]], k[f[1]], k[f[2]], t[i]) != CGAL::NEGATIVE;
+      outside = SideOfPlane(k[f[0]], k[f[1]], k[f[2]], t[i]) != CGAL::NEGATIVE;
     }
     if (outside)
     {
@@ -50,16 +60,52 @@ bool TriangleSeparates(const Corners3& t, const Corners4& k)
   bool above = true, below = true;
   for (int i = 0; i < 4 && (above || below); ++i)
   {
-    const CGAL::Orientation side = CGAL::orientation(t[0], t[1], t[2], k[i]);
+    const CGAL::Orientation side = SideOfPlane(t[0], t[1], t[2], k[i]);
     above = above && side != CGAL::NEGATIVE;
     below = below && side != CGAL::POSITIVE;
   }
   return above || below;
 }
 
+/**
+ * The same in doubles where rounding cannot turn the sign: the error of a determinant of differences is
+ * below Bound times the product of the columns' largest entries, by some three times.
+ */
+bool SideInDoubles(const Inexact::Point_3& p, const Inexact::Point_3& q, const Inexact::Point_3& a,
+  const Inexact::Point_3& b, const Inexact::Point_3& x, CGAL::Orientation& side)
+{
+  constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
+  double u[3], v[3], w[3], mostU = 0.0, mostV = 0.0, mostW = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    u[i] = q[i] - p[i];
+    v[i] = b[i] - a[i];
+    w[i] = x[i] - p[i];
+    mostU = std::max(mostU, std::abs(u[i]));
+    mostV = std::max(mostV, std::abs(v[i]));
+    mostW = std::max(mostW, std::abs(w[i]));
+  }
+  const double determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +
+    u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
+  side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+  return std::min({ mostU, mostV, mostW }) > Tiny && std::max({ mostU, mostV, mostW }) < Huge &&
+    std::abs(determinant) > Bound * mostU * mostV * mostW;
+}
+
+CGAL::Orientation Side(const Inexact::Point_3& p, const Inexact::Point_3& q,
+  const Inexact::Point_3& a, const Inexact::Point_3& b, const Inexact::Point_3& x)
+{
+  const auto isOf = [&](const Inexact::Point_3& c) { return c == p || c == q || c == x; };
+  if (x == p || x == q || (isOf(a) && isOf(b)))
+  {
+    return CGAL::ZERO;
+  }
+  CGAL::Orientation side;
+  return SideInDoubles(p, q, a, b, x, side) ? side : FilteredSideAlongEdges()(p, q, a, b, x);
+}
+
 bool EdgesSeparate(const Corners3& t, const Corners4& k)
 {
-  const FilteredSideAlongEdges side;
   for (int e = 0; e < 6; ++e)
   {
     const auto& p = k[Edges[e][0]];
@@ -68,13 +114,16 @@ bool EdgesSeparate(const Corners3& t, const Corners4& k)
     {
       const auto& a = t[i];
       const auto& b = t[(i + 1) % 3];
-      const int r = side(p, q, a, b, k[Others[e][0]]), s = side(p, q, a, b, k[Others[e][1]]);
+      const int r = Side(p, q, a, b, k[Others[e][0]]), s = Side(p, q, a, b, k[Others[e][1]]);
       if (r * s < 0 || (r == 0 && s == 0))
       {
         continue; // no plane that supports the tetrahedron, or parallel edges
       }
       const int own = r != 0 ? r : s;
-      if (own * side(p, q, a, b, a) <= 0 && own * side(p, q, a, b, t[(i + 2) % 3]) <= 0)
+      // The side of a is that of b: the plane is parallel to their edge.
+      const bool touches = b == p || b == q;
+      if ((touches || own * Side(p, q, a, b, a) <= 0) &&
+        own * Side(p, q, a, b, t[(i + 2) % 3]) <= 0)
       {
         return true;
       }
@@ -141,7 +190,7 @@ bool OverlapInPlane(const Corners3& a, const Corners3& b)
 {
   for (const auto& p : b)
   {
-    if (CGAL::orientation(a[0], a[1], a[2], p) != CGAL::COPLANAR)
+    if (SideOfPlane(a[0], a[1], a[2], p) != CGAL::COPLANAR)
     {
       return false;
     }

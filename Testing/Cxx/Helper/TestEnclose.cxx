@@ -25,10 +25,11 @@ using namespace carving;
 namespace
 {
 
-HelperRun RunEnclosing(
-  const TriangleMesh& mesh, InitialApproximation initial = InitialApproximation::ConvexHull)
+HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance = 0.0,
+  InitialApproximation initial = InitialApproximation::ConvexHull)
 {
   Job job;
+  job.EnclosingTolerance = tolerance;
   job.Mesh = mesh;
   job.Initial = initial;
   job.Conformity = Conformity::Enclosing;
@@ -138,7 +139,8 @@ TEST(Enclose, EnclosesRandomSoups)
     SCOPED_TRACE("soup " + std::to_string(i));
     const TriangleMesh mesh = models::Soup(2 + static_cast<int>(random() % 40), random);
     const auto initial = static_cast<InitialApproximation>(random() % 2);
-    const HelperRun run = RunEnclosing(mesh, initial);
+    const double tolerance = std::array{ 0.0, 0.05, 0.1 }[random() % 3];
+    const HelperRun run = RunEnclosing(mesh, tolerance, initial);
     ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
     CarveOptions options;
     options.DepthExponent = static_cast<double>(random() % 3);
@@ -155,7 +157,7 @@ TEST(Enclose, EnclosesRandomMeshes)
   {
     SCOPED_TRACE("mesh " + std::to_string(i));
     const models::RandomModel model = models::MakeRandom(random);
-    const HelperRun run = RunEnclosing(model.Mesh);
+    const HelperRun run = RunEnclosing(model.Mesh, random() % 2 ? 0.0 : 0.1);
     ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
     const auto rule = static_cast<SolidRule>(random() % 3);
     ExpectEnclosingLevels(model.Mesh, CarveResult(run.Reply.Result, {}, rule));

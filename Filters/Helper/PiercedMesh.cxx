@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "PiercedMesh.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_set>
+
+using namespace carving;
+
+namespace
+{
+
+Corners4 CornersOfCell(const PiercedMesh::Cell& cell)
+{
+  return { cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
+    cell->vertex(3)->point() };
+}
+
+/** Whether a part may meet a cell as far as their bounding boxes can tell. */
+bool Close(const Corners3& corners, const PiercedMesh::Cell& cell)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto [least, most] = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
+    const auto [lower, upper] = std::minmax({ cell->vertex(0)->point()[i],
+      cell->vertex(1)->point()[i], cell->vertex(2)->point()[i], cell->vertex(3)->point()[i] });
+    const bool apart =
+      least == most ? least > upper || most < lower : least >= upper || most <= lower;
+    if (apart)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** How a part with these corners lies to a cell; returns whether they meet. */
+bool Meet(const Corners3& corners, const PiercedMesh::Cell& cell, PiercedMesh::Meeting& meeting)
+{
+  meeting.OnFace = {};
+  if (!Close(corners, cell))
+  {
+    return false;
+  }
+  meeting.Pierces = Pierces(corners, CornersOfCell(cell));
+  bool lies = false;
+  for (int f = 0; f < 4 && !meeting.Pierces; ++f)
+  {
+    meeting.OnFace[f] = OverlapInPlane(corners, FaceOf(cell, f));
+    lies = lies || meeting.OnFace[f];
+  }
+  return meeting.Pierces || lies;
+}
+
+} // namespace
+
+Corners3 FaceOf(const PiercedMesh::Cell& cell, int f)
+{
+  Corners3 face;
+  for (int i = 0; i < 3; ++i)
+  {
+    face[i] = cell->vertex(FaceCorners[f][i])->point();
+  }
+  return face;
+}
+
+void PiercedMesh::CellInfo::Add(const Meeting& meeting)
+{
+  this->Meetings.push_back(meeting);
+  this->NumberOfPiercing += meeting.Pierces;
+}
+
+bool PiercedMesh::CellInfo::Remove(int part)
+{
+  const auto found = std::find_if(this->Meetings.begin(), this->Meetings.end(),
+    [&](const Meeting& meeting) { return meeting.Part == part; });
+  const bool met = found != this->Meetings.end();
+  if (met)
+  {
+    this->NumberOfPiercing -= found->Pierces;
+    this->Meetings.erase(found);
+  }
+  return met;
+}
+
+int PiercedMesh::CellInfo::PartOn(int f) const
+{
+  int first = -1;
+  for (const Meeting& meeting : this->Meetings)
+  {
+    if (meeting.OnFace[f] && (first < 0 || meeting.Part < first))
+    {
+      first = meeting.Part;
+    }
+  }
+  return first;
+}
+
+PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
+  const std::function<bool(double)>& progress)
+  : Parts(input)
+{
+  for (const Point& p : further)
+  {
+    this->Parts.AddPoint(p);
+  }
+  std::vector<std::pair<Inexact::Point_3, int>> points;
+  for (const Point& p : this->Parts.GetPoints())
+  {
+    points.emplace_back(ToInexact(p), static_cast<int>(points.size()));
+  }
+  this->Mesh.insert(points.begin(), points.end());
+  this->Vertices.resize(points.size());
+  for (const Vertex v : this->Mesh.finite_vertex_handles())
+  {
+    this->Vertices[v->info()] = v;
+  }
+  const int count = static_cast<int>(input.Facets.size());
+  for (int t = 0; t < count; ++t)
+  {
+    this->Place(t);
+    if (t % 1000 == 0)
+    {
+      progress(static_cast<double>(t) / count);
+    }
+  }
+}
+
+Corners3 PiercedMesh::CornersOf(int part) const
+{
+  const Triangle& corners = this->Parts.GetParts()[part].Corners;
+  return { this->Vertices[corners[0]]->point(), this->Vertices[corners[1]]->point(),
+    this->Vertices[corners[2]]->point() };
+}
+
+/** Most parts are faces. Then there is nothing to look for. */
+bool PiercedMesh::PlaceOnFace(int part)
+{
+  const Triangle& corners = this->Parts.GetParts()[part].Corners;
+  Cell cell;
+  int i = 0, j = 0, k = 0;
+  if (!this->Mesh.is_facet(this->Vertices[corners[0]], this->Vertices[corners[1]],
+        this->Vertices[corners[2]], cell, i, j, k))
+  {
+    return false;
+  }
+  const int f = 6 - i - j - k; // the remaining one of 0, 1, 2, 3
+  const Cell other = cell->neighbor(f);
+  for (const auto& [side, face] : { std::pair(cell, f), std::pair(other, other->index(cell)) })
+  {
+    Meeting meeting = { part, false, {} };
+    meeting.OnFace[face] = true;
+    if (!this->Mesh.is_infinite(side))
+    {
+      side->info().Add(meeting);
+    }
+  }
+  return true;
+}
+
+/**
+ * Visits the tetrahedra that may meet a part: those around its corners, and beyond each for which
+ * `visit` says that it does.
+ */
+template <class Visit>
+void PiercedMesh::Walk(int part, const Visit& visit)
+{
+  const Corners3 triangle = this->CornersOf(part);
+  std::vector<Cell> stack;
+  std::unordered_set<const void*> seen;
+  const auto push = [&](const Cell& cell)
+  {
+    if (!this->Mesh.is_infinite(cell) && seen.insert(&*cell).second)
+    {
+      stack.push_back(cell);
+    }
+  };
+  std::vector<Cell> star;
+  std::unordered_set<const void*> starred;
+  const auto pushStar = [&](const Vertex& v)
+  {
+    if (starred.insert(&*v).second)
+    {
+      star.clear();
+      this->Mesh.finite_incident_cells(v, std::back_inserter(star));
+      std::for_each(star.begin(), star.end(), push);
+    }
+  };
+  for (const int corner : this->Parts.GetParts()[part].Corners)
+  {
+    pushStar(this->Vertices[corner]);
+  }
+  while (!stack.empty())
+  {
+    const Cell cell = stack.back();
+    stack.pop_back();
+    if (!visit(cell))
+    {
+      continue;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      push(cell->neighbor(i));
+      // Through a corner on the triangle it may go on in cells that share no face with this one.
+      const Vertex v = cell->vertex(i);
+      if (starred.count(&*v) == 0 &&
+        CGAL::orientation(triangle[0], triangle[1], triangle[2], v->point()) == CGAL::COPLANAR)
+      {
+        pushStar(v);
+      }
+    }
+  }
+}
+
+/** Finds the tetrahedra that a part meets. */
+void PiercedMesh::Place(int part)
+{
+  const Corners3 corners = this->CornersOf(part);
+  // Rounding can leave a part without area; its neighbors have all that it would have.
+  if (this->PlaceOnFace(part) || CGAL::collinear(corners[0], corners[1], corners[2]))
+  {
+    return;
+  }
+  this->Walk(part,
+    [&](const Cell& cell)
+    {
+      Meeting meeting = { part, false, {} };
+      const bool met = Meet(corners, cell, meeting);
+      if (met)
+      {
+        cell->info().Add(meeting);
+      }
+      return met;
+    });
+}
+
+void PiercedMesh::Forget(int part)
+{
+  this->Walk(part, [&](const Cell& cell) { return cell->info().Remove(part); });
+}
+
+/** Between the parts that go and those that come `meanwhile` happens. */
+void PiercedMesh::Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile)
+{
+  for (const int part : change.Gone)
+  {
+    this->Forget(part);
+  }
+  meanwhile();
+  for (const int part : change.Made)
+  {
+    this->Place(part);
+  }
+}
+
+bool PiercedMesh::PutOnPart(int part, const Point& p)
+{
+  return this->Put(p, true, [&](int vertex) { return this->Parts.SplitPart(part, vertex); });
+}
+
+bool PiercedMesh::PutOnEdge(int a, int b, const Point& p)
+{
+  return this->Put(p, true, [&](int vertex) { return this->Parts.SplitEdge(a, b, vertex); });
+}
+
+bool PiercedMesh::PutAside(const Point& p)
+{
+  return this->Put(p, false, [](int) { return Subdivision::Change(); });
+}
+
+bool PiercedMesh::TakeFaces(int part)
+{
+  const auto areFaces = [this](int a, int b, int c)
+  {
+    Cell cell;
+    int i = 0, j = 0, k = 0;
+    return this->Mesh.is_facet(
+      this->Vertices[a], this->Vertices[b], this->Vertices[c], cell, i, j, k);
+  };
+  Subdivision::Change change;
+  const bool taken = this->Parts.SwapTie(part, areFaces, change);
+  this->Replace(change, [] {});
+  return taken;
+}
+
+bool PiercedMesh::Put(
+  const Point& p, bool outsideToo, const std::function<Subdivision::Change(int)>& split)
+{
+  Delaunay::Locate_type type;
+  int i = 0, j = 0;
+  const Cell start = this->Mesh.locate(ToInexact(p), type, i, j, this->Vertices.back()->cell());
+  if (type == Delaunay::VERTEX || (type == Delaunay::OUTSIDE_CONVEX_HULL && !outsideToo))
+  {
+    return false;
+  }
+  const int vertex = this->Parts.AddPoint(p);
+  this->Replace(split(vertex), [&] { this->Insert(vertex, start); });
+  return true;
+}
+
+/** Inserts a point into the tetrahedralization. What met the old tetrahedra there may meet the new ones. */
+void PiercedMesh::Insert(int vertex, const Cell& start)
+{
+  const Inexact::Point_3 p = ToInexact(this->Parts.GetPoints()[vertex]);
+  std::vector<Cell> cells;
+  Delaunay::Facet facet;
+  this->Mesh.find_conflicts(
+    p, start, CGAL::Oneset_iterator<Delaunay::Facet>(facet), std::back_inserter(cells));
+  std::set<int> parts;
+  for (const Cell& cell : cells)
+  {
+    for (const Meeting& meeting : cell->info().Meetings)
+    {
+      parts.insert(meeting.Part);
+    }
+  }
+  const Vertex v =
+    this->Mesh.insert_in_hole(p, cells.begin(), cells.end(), facet.first, facet.second);
+  v->info() = vertex;
+  this->Vertices.push_back(v);
+  std::vector<Cell> star;
+  this->Mesh.finite_incident_cells(v, std::back_inserter(star));
+  for (const int part : parts)
+  {
+    const Corners3 corners = this->CornersOf(part);
+    for (const Cell& cell : star)
+    {
+      Meeting meeting = { part, false, {} };
+      if (Meet(corners, cell, meeting))
+      {
+        cell->info().Add(meeting);
+      }
+    }
+  }
+}

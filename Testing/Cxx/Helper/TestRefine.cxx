@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Enclosing mode: how near its tightest level comes.
+ */
+#include "HelperRun.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+#include "Vector.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance)
+{
+  Job job;
+  job.Mesh = mesh;
+  job.Conformity = Conformity::Enclosing;
+  job.EnclosingTolerance = tolerance;
+  return RunHelper(job);
+}
+
+double DistanceTo(const TriangleMesh& mesh, const Point& p)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  const auto toKernel = [](const Point& x) { return Kernel::Point_3(x[0], x[1], x[2]); };
+  double nearest = HUGE_VAL;
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    const Kernel::Triangle_3 triangle(
+      toKernel(mesh.Points[a]), toKernel(mesh.Points[b]), toKernel(mesh.Points[c]));
+    nearest = std::min(nearest, CGAL::squared_distance(toKernel(p), triangle));
+  }
+  return std::sqrt(nearest);
+}
+
+/** The largest distance from a mesh of points drawn on the faces of what is kept. */
+double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
+{
+  double farthest = 0.0;
+  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4 && result.Kept[cell]; ++f)
+    {
+      const int other = result.Neighbors[cell][f];
+      if (other >= 0 && result.Kept[other])
+      {
+        continue;
+      }
+      const Triangle face = result.OutwardFace(static_cast<int>(cell), f);
+      for (const auto& [u, v] : { std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(0.0, 1.0),
+             std::pair(0.5, 0.0), std::pair(0.0, 0.5), std::pair(0.5, 0.5), std::pair(0.33, 0.33) })
+      {
+        Point p;
+        for (int i = 0; i < 3; ++i)
+        {
+          p[i] = (1.0 - u - v) * result.Surface.Points[face[0]][i] +
+            u * result.Surface.Points[face[1]][i] + v * result.Surface.Points[face[2]][i];
+        }
+        farthest = std::max(farthest, DistanceTo(mesh, p));
+      }
+    }
+  }
+  return farthest;
+}
+
+double DiagonalOf(const TriangleMesh& mesh)
+{
+  Point lower, upper;
+  GetBounds(mesh.Points, lower, upper);
+  return Length(upper - lower);
+}
+
+} // namespace
+
+// What is kept of a soup reaches no farther than the tolerance, and the distance that is told is true.
+TEST(Refine, ReachesTheTolerance)
+{
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 12; ++i)
+  {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    const TriangleMesh mesh = models::Soup(4 + static_cast<int>(random() % 20), random);
+    const double tolerance = std::array{ 0.03, 0.06, 0.12 }[random() % 3];
+    const HelperRun run = RunEnclosing(mesh, tolerance);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    EXPECT_LE(run.Reply.KeptDistance, 1.05 * tolerance * DiagonalOf(mesh));
+    EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
+  }
+}
+
+// The smaller the tolerance, the more vertices are added; at 0 there are none, and the distance reached is
+// what samples say.
+TEST(Refine, AddsVerticesOnlyIfTold)
+{
+  std::mt19937_64 random(12);
+  const TriangleMesh mesh = models::Soup(10, random);
+  int last = 0;
+  for (const double tolerance : { 0.0, 0.1, 0.02 })
+  {
+    const HelperRun run = RunEnclosing(mesh, tolerance);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    const ResolvedMesh& surface = run.Reply.Result.Surface;
+    EXPECT_EQ(std::count(surface.PointSources.begin(), surface.PointSources.end(), -1),
+      run.Reply.PointsAdded);
+    if (tolerance == 0.0)
+    {
+      EXPECT_EQ(run.Reply.PointsAdded, 0);
+      EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
+      EXPECT_GT(run.Reply.KeptDistance, 0.02 * DiagonalOf(mesh));
+    }
+    else
+    {
+      EXPECT_GT(run.Reply.PointsAdded, last);
+    }
+    last = run.Reply.PointsAdded;
+  }
+}
+
+// A mesh whose triangles are all Delaunay faces needs no further vertex.
+TEST(Refine, AddsNothingToADelaunayMesh)
+{
+  const HelperRun run = RunEnclosing(
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 3, 0, 0 }, { 4, 1, 1 })),
+    0.001);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  EXPECT_EQ(run.Reply.PointsAdded, 0);
+  EXPECT_EQ(run.Reply.KeptDistance, 0.0);
+}

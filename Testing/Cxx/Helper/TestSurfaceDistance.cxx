@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes.h"
+#include "SurfaceDistance.h"
+#include "Vector.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+ResolvedMesh AsMesh(const TriangleMesh& mesh)
+{
+  ResolvedMesh result;
+  result.Points = mesh.Points;
+  result.Facets = mesh.Triangles;
+  return result;
+}
+
+/** The largest distance from a mesh of the points of a grid on a triangle. */
+double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& t)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  const auto toKernel = [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); };
+  constexpr int N = 40;
+  double farthest = 0.0;
+  for (int i = 0; i <= N; ++i)
+  {
+    for (int j = 0; j <= N - i; ++j)
+    {
+      const double a = i / double(N), b = j / double(N), c = 1.0 - a - b;
+      Point p;
+      for (int k = 0; k < 3; ++k)
+      {
+        p[k] = a * t[0][k] + b * t[1][k] + c * t[2][k];
+      }
+      double nearest = HUGE_VAL;
+      for (const Triangle& corners : mesh.Triangles)
+      {
+        const Kernel::Triangle_3 triangle(toKernel(mesh.Points[corners[0]]),
+          toKernel(mesh.Points[corners[1]]), toKernel(mesh.Points[corners[2]]));
+        nearest = std::min(nearest, CGAL::squared_distance(toKernel(p), triangle));
+      }
+      farthest = std::max(farthest, std::sqrt(nearest));
+    }
+  }
+  return farthest;
+}
+
+} // namespace
+
+// Above a plane the highest corner is the farthest point.
+TEST(SurfaceDistance, IsTheHeightAboveAPlane)
+{
+  const SurfaceDistance distance(
+    AsMesh({ { { -9, -9, 0 }, { 9, -9, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } }));
+  const SurfaceDistance::Corners triangle = { { { 0, 0, 0.1 }, { 1, 0, 0.2 }, { 0, 1, 0.5 } } };
+  EXPECT_NEAR(distance.Farthest(triangle, 1e-3), 0.5, 0.05 * 0.5);
+  EXPECT_EQ(distance.Farthest(triangle, 0.7), 0.7);
+  EXPECT_TRUE(distance.IsWithin(triangle, 0.53));
+  EXPECT_FALSE(distance.IsWithin(triangle, 0.47));
+}
+
+// The farthest point need not be a corner: a triangle that spans a gap is far in its middle.
+TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
+{
+  std::mt19937_64 random(5);
+  const auto draw = [&random](double size)
+  { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
+  for (int i = 0; i < 30; ++i)
+  {
+    SCOPED_TRACE("triangle " + std::to_string(i));
+    // Small triangles of M at its corners, and some about.
+    SurfaceDistance::Corners triangle;
+    TriangleMesh mesh;
+    for (int k = 0; k < 6; ++k)
+    {
+      const Point at = { draw(1), draw(1), draw(1) };
+      if (k < 3)
+      {
+        triangle[k] = at;
+      }
+      const int first = static_cast<int>(mesh.Points.size());
+      mesh.Points.push_back(at);
+      mesh.Points.push_back({ at[0] + draw(0.1), at[1] + draw(0.1), at[2] + draw(0.1) });
+      mesh.Points.push_back({ at[0] + draw(0.1), at[1] + draw(0.1), at[2] + draw(0.1) });
+      mesh.Triangles.push_back({ first, first + 1, first + 2 });
+    }
+    const double expected = FarthestOfGrid(mesh, triangle);
+    const SurfaceDistance distance(AsMesh(mesh));
+    // The grid misses the farthest point by less than its spacing.
+    const double spacing = 4.0 / 40.0;
+    const double farthest = distance.Farthest(triangle, 1e-3);
+    EXPECT_GE(1.05 * farthest, expected);
+    EXPECT_LE(farthest, expected + spacing);
+    EXPECT_FALSE(distance.IsWithin(triangle, expected / 1.06));
+    EXPECT_TRUE(distance.IsWithin(triangle, expected + spacing));
+  }
+}

@@ -86,7 +86,8 @@ double Enclose(const ResolvedMesh& input, const std::vector<Point>& further, dou
   const SurfaceDistance distance(input);
   if (tolerance > 0.0)
   {
-    Refine(mesh, distance, tolerance * diagonal, MaximumPoints(input.Points.size()),
+    constexpr double Accuracy = 1.05; // of distances
+    Refine(mesh, distance, tolerance * diagonal / Accuracy, MaximumPoints(input.Points.size()),
       [&](double done) { return progress((1.0 + done) / 2.0); });
   }
   result = {};

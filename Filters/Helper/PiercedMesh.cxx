@@ -16,42 +16,6 @@ Corners4 CornersOfCell(const PiercedMesh::Cell& cell)
     cell->vertex(3)->point() };
 }
 
-/** Whether a part may meet a cell as far as their bounding boxes can tell. */
-bool Close(const Corners3& corners, const PiercedMesh::Cell& cell)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto [least, most] = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
-    const auto [lower, upper] = std::minmax({ cell->vertex(0)->point()[i],
-      cell->vertex(1)->point()[i], cell->vertex(2)->point()[i], cell->vertex(3)->point()[i] });
-    const bool apart =
-      least == most ? least > upper || most < lower : least >= upper || most <= lower;
-    if (apart)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/** How a part with these corners lies to a cell; returns whether they meet. */
-bool Meet(const Corners3& corners, const PiercedMesh::Cell& cell, PiercedMesh::Meeting& meeting)
-{
-  meeting.OnFace = {};
-  if (!Close(corners, cell))
-  {
-    return false;
-  }
-  meeting.Pierces = Pierces(corners, CornersOfCell(cell));
-  bool lies = false;
-  for (int f = 0; f < 4 && !meeting.Pierces; ++f)
-  {
-    meeting.OnFace[f] = OverlapInPlane(corners, FaceOf(cell, f));
-    lies = lies || meeting.OnFace[f];
-  }
-  return meeting.Pierces || lies;
-}
-
 } // namespace
 
 Corners3 FaceOf(const PiercedMesh::Cell& cell, int f)
@@ -62,38 +26,6 @@ Corners3 FaceOf(const PiercedMesh::Cell& cell, int f)
     face[i] = cell->vertex(FaceCorners[f][i])->point();
   }
   return face;
-}
-
-void PiercedMesh::CellInfo::Add(const Meeting& meeting)
-{
-  this->Meetings.push_back(meeting);
-  this->NumberOfPiercing += meeting.Pierces;
-}
-
-bool PiercedMesh::CellInfo::Remove(int part)
-{
-  const auto found = std::find_if(this->Meetings.begin(), this->Meetings.end(),
-    [&](const Meeting& meeting) { return meeting.Part == part; });
-  const bool met = found != this->Meetings.end();
-  if (met)
-  {
-    this->NumberOfPiercing -= found->Pierces;
-    this->Meetings.erase(found);
-  }
-  return met;
-}
-
-int PiercedMesh::CellInfo::PartOn(int f) const
-{
-  int first = -1;
-  for (const Meeting& meeting : this->Meetings)
-  {
-    if (meeting.OnFace[f] && (first < 0 || meeting.Part < first))
-    {
-      first = meeting.Part;
-    }
-  }
-  return first;
 }
 
 PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
@@ -225,7 +157,7 @@ void PiercedMesh::Place(int part)
     [&](const Cell& cell)
     {
       Meeting meeting = { part, false, {} };
-      const bool met = Meet(corners, cell, meeting);
+      const bool met = Meet(corners, CornersOfCell(cell), meeting);
       if (met)
       {
         cell->info().Add(meeting);
@@ -309,7 +241,7 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
   std::set<int> parts;
   for (const Cell& cell : cells)
   {
-    for (const Meeting& meeting : cell->info().Meetings)
+    for (const Meeting& meeting : cell->info().All)
     {
       parts.insert(meeting.Part);
     }
@@ -326,7 +258,7 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
     for (const Cell& cell : star)
     {
       Meeting meeting = { part, false, {} };
-      if (Meet(corners, cell, meeting))
+      if (Meet(corners, CornersOfCell(cell), meeting))
       {
         cell->info().Add(meeting);
       }

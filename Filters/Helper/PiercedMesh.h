@@ -6,7 +6,7 @@
 #ifndef carving_PiercedMesh_h
 #define carving_PiercedMesh_h
 
-#include "Pierce.h"
+#include "Meetings.h"
 #include "Subdivision.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -20,34 +20,8 @@
 class PiercedMesh
 {
 public:
-  /** How a part of M lies to a tetrahedron that it meets. */
-  struct Meeting
-  {
-    int Part;
-    bool Pierces;               ///< else it only lies on faces
-    std::array<bool, 4> OnFace; ///< which faces it overlaps in an area
-  };
-
-  struct CellInfo
-  {
-    std::vector<Meeting> Meetings;
-    int NumberOfPiercing = 0;
-    std::array<bool, 4> Near = {}; ///< faces found to be near enough to M
-    int Index = -1;
-
-    void Add(const Meeting& meeting);
-    /** Returns whether there was a meeting with the part. */
-    bool Remove(int part);
-    bool IsPierced() const
-    {
-      return this->NumberOfPiercing > 0;
-    }
-    /** The first part on a face; -1: none. */
-    int PartOn(int f) const;
-  };
-
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Inexact>;
-  using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellInfo, Inexact,
+  using CellBase = CGAL::Triangulation_cell_base_with_info_3<Meetings, Inexact,
     CGAL::Delaunay_triangulation_cell_base_3<Inexact>>;
   using Delaunay = CGAL::Delaunay_triangulation_3<Inexact,
     CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;

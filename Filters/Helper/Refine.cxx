@@ -118,7 +118,7 @@ std::vector<std::array<PiercedMesh::Vertex, 4>> Refiner::FindFar() const
   std::vector<std::array<PiercedMesh::Vertex, 4>> far;
   for (const Cell cell : this->Mesh.GetDelaunay().finite_cell_handles())
   {
-    PiercedMesh::CellInfo& info = cell->info();
+    Meetings& info = cell->info();
     if (!info.IsPierced())
     {
       continue;
@@ -162,8 +162,8 @@ bool Refiner::Improve(const Cell& cell)
   double farthest = this->Spacing;
   int best = -1;
   Point place;
-  const std::vector<PiercedMesh::Meeting> meetings = cell->info().Meetings;
-  for (const PiercedMesh::Meeting& meeting : meetings)
+  const std::vector<Meeting> meetings = cell->info().All;
+  for (const Meeting& meeting : meetings)
   {
     if (!meeting.Pierces)
     {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The parts of M that meet a tetrahedron.
+ */
+#ifndef carving_Meetings_h
+#define carving_Meetings_h
+
+#include "Pierce.h"
+
+#include <vector>
+
+/** How a part of M lies to a tetrahedron that it meets. */
+struct Meeting
+{
+  int Part;
+  bool Pierces;               ///< else it only lies on faces
+  std::array<bool, 4> OnFace; ///< which faces it overlaps in an area
+};
+
+/** What a tetrahedron knows. */
+struct Meetings
+{
+  std::vector<Meeting> All;
+  int NumberOfPiercing = 0;
+  std::array<bool, 4> Near = {}; ///< faces found to be near enough to M
+  int Index = -1;
+
+  void Add(const Meeting& meeting);
+  /** Returns whether there was a meeting with the part. */
+  bool Remove(int part);
+  bool IsPierced() const
+  {
+    return this->NumberOfPiercing > 0;
+  }
+  /** The first part on a face; -1: none. */
+  int PartOn(int f) const;
+};
+
+/** How a part with these corners lies to a tetrahedron; returns whether they meet. */
+bool Meet(const Corners3& part, const Corners4& tetrahedron, Meeting& meeting);
+
+#endif

@@ -4,7 +4,7 @@
 #
 # Installs what is needed, builds and passes all tests: formatting, the whole project with warnings as
 # errors, the plugin in ParaView, and core and helper program once more under the address and
-# undefined-behavior sanitizers.
+# undefined-behavior sanitizers, and some seconds with what fuzzers make up.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -39,5 +39,11 @@ say "Testing core and helper program under sanitizers"
 # which reach no code that the others do not.
 TOPOLOGYCARVING_RANDOM_MESHES=30 \
   ctest --test-dir "$build_root/sanitize" -j$jobs --output-on-failure -E 'RealMesh.*(cheese|bunny)'
+
+# libFuzzer is clang's.
+build fuzz -DTOPOLOGYCARVING_FUZZ=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
+say "Fuzzing the core and what is read from the helper program"
+ctest --test-dir "$build_root/fuzz" -j$jobs --output-on-failure
 
 say "All tests passed"

@@ -9,7 +9,7 @@ build_packages=(
   ca-certificates ccache cmake g++ libcgal-dev libgmp-dev libmpfr-dev libtet1.5-dev libvtk9-dev
   ninja-build zlib1g-dev)
 picture_packages=(libgl1-mesa-dri python3-vtk9 xauth xvfb)
-test_packages=(clang-format libgtest-dev python3-numpy)
+test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
 # Without python3-paraview, which excludes python3-vtk9: paraview_prefix.sh unpacks it elsewhere.
 paraview_packages=(mpi-default-bin paraview paraview-dev)
 

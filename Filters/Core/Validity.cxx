@@ -2,17 +2,105 @@
 #include "Validity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
 
 namespace carving
 {
 namespace
 {
 
-/** Both sides of every face must agree on who the neighbors are and on the constraint. */
+/** Whether all corners of all cells or facets differ from each other. */
+template <class Tuples>
+bool CornersDiffer(const Tuples& tuples)
+{
+  bool differ = true;
+  for (const auto& tuple : tuples)
+  {
+    for (std::size_t i = 0; i < tuple.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        differ &= tuple[i] != tuple[j];
+      }
+    }
+  }
+  return differ;
+}
+
+bool AreFinite(const std::vector<Point>& points)
+{
+  bool finite = true;
+  for (const Point& p : points)
+  {
+    finite &= std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  }
+  return finite;
+}
+
+/** Windings are sums of as many signs as Counts says, and all Counts can be added up. */
+template <int D>
+bool CountsArePossible(const ResolvedInput<D>& input)
+{
+  long long sum = 0;
+  for (std::size_t i = 0; i < input.Counts.size(); ++i)
+  {
+    if (input.Counts[i] < 0 ||
+      std::abs(static_cast<long long>(input.Windings[i])) > input.Counts[i])
+    {
+      return false;
+    }
+    sum += input.Counts[i];
+  }
+  return sum <= std::numeric_limits<int>::max();
+}
+
+/** What is wrong with facets and points by themselves. */
+template <int D>
+std::string FindMistake(const ResolvedInput<D>& input)
+{
+  const std::size_t facets = input.Facets.size();
+  if (input.PointSources.size() != input.Points.size() || input.FacetSources.size() != facets ||
+    input.Windings.size() != facets || input.Counts.size() != facets)
+  {
+    return "arrays that belong together differ in length";
+  }
+  if (!IndicesWithin(input.Facets, 0, input.Points.size()))
+  {
+    return "a vertex index is out of range";
+  }
+  return !CornersDiffer(input.Facets) ? "a facet has a corner twice"
+    : !AreFinite(input.Points)        ? "a coordinate is not finite"
+    : !CountsArePossible(input)       ? "a facet's winding or count cannot be"
+                                      : "";
+}
+
+/** The corner of a cell that is opposite to a face of another one; -1 if it has no such face. */
+template <int D>
+int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& face)
+{
+  int opposite = -1;
+  for (int corner = 0; corner <= D; ++corner)
+  {
+    if (std::find(face.begin(), face.end(), cell[corner]) == face.end())
+    {
+      if (opposite >= 0)
+      {
+        return -1;
+      }
+      opposite = corner;
+    }
+  }
+  return opposite;
+}
+
+/** Both sides of every face must agree on its corners, on who the neighbors are and on the constraint. */
 template <int D>
 bool NeighborsAgree(const Decomposition<D>& mesh)
 {
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     for (int f = 0; f <= D; ++f)
     {
@@ -21,10 +109,9 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
       {
         continue;
       }
-      const auto& back = mesh.Neighbors[neighbor];
-      const auto found = std::find(back.begin(), back.end(), static_cast<int>(cell));
-      if (found == back.end() ||
-        mesh.Constraints[neighbor][found - back.begin()] != mesh.Constraints[cell][f])
+      const int g = FindOpposite<D>(mesh.Cells[neighbor], mesh.OutwardFace(cell, f));
+      if (neighbor == cell || g < 0 || mesh.Neighbors[neighbor][g] != cell ||
+        mesh.Constraints[neighbor][g] != mesh.Constraints[cell][f])
       {
         return false;
       }
@@ -33,40 +120,72 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
   return true;
 }
 
+/** Every facet must be one face, of a cell or between two. */
+template <int D>
+bool FacetsAreFaces(const Decomposition<D>& mesh)
+{
+  constexpr int none = -1;
+  std::vector<int> cells(mesh.Surface.Facets.size(), none);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    for (int f = 0; f <= D; ++f)
+    {
+      const int facet = mesh.Constraints[cell][f];
+      if (facet < 0)
+      {
+        continue;
+      }
+      const std::array<int, D> face = mesh.OutwardFace(cell, f);
+      const std::array<int, D>& corners = mesh.Surface.Facets[facet];
+      if (!std::is_permutation(face.begin(), face.end(), corners.begin()) ||
+        (cells[facet] != none && cells[facet] != mesh.Neighbors[cell][f]))
+      {
+        return false;
+      }
+      cells[facet] = cell;
+    }
+  }
+  return std::find(cells.begin(), cells.end(), none) == cells.end();
+}
+
 } // namespace
 
 template <int D>
 std::string FindMistake(const Decomposition<D>& mesh)
 {
-  const ResolvedInput<D>& surface = mesh.Surface;
-  const std::size_t triangles = surface.Facets.size();
-  if (surface.PointSources.size() != surface.Points.size() ||
-    surface.FacetSources.size() != triangles || surface.Windings.size() != triangles ||
-    surface.Counts.size() != triangles || mesh.Neighbors.size() != mesh.Cells.size() ||
-    mesh.Constraints.size() != mesh.Cells.size() ||
+  for (const ResolvedInput<D>* input : { &mesh.Surface, &mesh.Unresolved })
+  {
+    const std::string mistake = FindMistake(*input);
+    if (!mistake.empty())
+    {
+      return mistake;
+    }
+  }
+  if (mesh.Neighbors.size() != mesh.Cells.size() || mesh.Constraints.size() != mesh.Cells.size() ||
     (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()))
   {
     return "arrays that belong together differ in length";
   }
-  const ResolvedInput<D>& input = mesh.Unresolved;
-  if (input.Windings.size() != input.Facets.size() || input.Counts.size() != input.Facets.size())
-  {
-    return "arrays that belong together differ in length";
-  }
-  if (!IndicesWithin(surface.Facets, 0, surface.Points.size()) ||
-    !IndicesWithin(input.Facets, 0, input.Points.size()) ||
-    !IndicesWithin(mesh.Cells, 0, surface.Points.size()))
+  if (!IndicesWithin(mesh.Cells, 0, mesh.Surface.Points.size()))
   {
     return "a vertex index is out of range";
   }
-  if (!IndicesWithin(mesh.Neighbors, -1, mesh.Cells.size()) ||
-    !IndicesWithin(mesh.Constraints, -1, triangles))
+  if (!IndicesWithin(mesh.Neighbors, Outside, mesh.Cells.size()) ||
+    !IndicesWithin(mesh.Constraints, -1, mesh.Surface.Facets.size()))
   {
     return "a neighbor or constraint index is out of range";
+  }
+  if (!CornersDiffer(mesh.Cells))
+  {
+    return "a cell has a corner twice";
   }
   if (!NeighborsAgree(mesh))
   {
     return "neighboring tetrahedra disagree about their common face";
+  }
+  if (!FacetsAreFaces(mesh))
+  {
+    return "a facet is not the one face that it is said to be";
   }
   return {};
 }

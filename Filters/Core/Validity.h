@@ -30,8 +30,9 @@ bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
 }
 
 /**
- * What contradicts what Mesh.h says of a decomposition (array lengths, indices, neighbors that do not
- * know each other), or an empty string. Geometry is not looked at.
+ * What contradicts what Mesh.h says of a decomposition, or an empty string: array lengths, indices,
+ * cells and facets that do not fit together, coordinates that are not finite. Whether cells overlap in
+ * space is not looked at.
  */
 template <int D>
 std::string FindMistake(const Decomposition<D>& mesh);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <random>
 #include <sstream>
 
@@ -144,6 +147,49 @@ TEST(Protocol, RejectsNeighborsThatDisagree)
     neighbor = -1;
   }
   EXPECT_NE(ReadReply(Written(reply)), "");
+}
+
+// Cells, facets, coordinates and counts that cannot be are rejected, each with words of its own.
+TEST(Protocol, RejectsImpossibleNumbers)
+{
+  const auto reject = [](const std::string& words, const std::function<void(ResolvedMesh&)>& spoil)
+  {
+    Reply reply = MakeReply();
+    ASSERT_EQ(ReadReply(Written(reply)), "");
+    spoil(reply.Result.Surface);
+    const std::string mistake = ReadReply(Written(reply));
+    EXPECT_NE(mistake.find(words), std::string::npos) << mistake;
+  };
+  reject("not finite", [](auto& mesh) { mesh.Points[3][1] = HUGE_VAL; });
+  reject("not finite", [](auto& mesh) { mesh.Points[0][2] = std::nan(""); });
+  reject("corner twice", [](auto& mesh) { mesh.Facets[1][2] = mesh.Facets[1][0]; });
+  reject("winding or count", [](auto& mesh) { mesh.Windings[2] = -2; });
+  reject("winding or count", [](auto& mesh) { mesh.Counts[2] = -1; });
+  reject("winding or count",
+    [](auto& mesh) { mesh.Counts[0] = mesh.Counts[1] = std::numeric_limits<int>::max(); });
+  reject("differ in length", [](auto& mesh) { mesh.PointSources.pop_back(); });
+  // A facet that no cell has, one without a cell, and one of another cell.
+  reject("one face", [](auto& mesh) { mesh.Facets[0] = { 0, 1, 4 }; });
+  reject("one face",
+    [](auto& mesh)
+    {
+      mesh.Facets.push_back({ 0, 1, 2 });
+      mesh.FacetSources.push_back(0);
+      mesh.Windings.push_back(1);
+      mesh.Counts.push_back(1);
+    });
+  reject("one face", [](auto& mesh) { std::swap(mesh.Facets[0], mesh.Facets[1]); });
+}
+
+// A cell that has a corner twice, or that shares no face with its neighbor, is rejected.
+TEST(Protocol, RejectsCellsThatDoNotFit)
+{
+  Reply reply = MakeReply();
+  reply.Result.Cells[0][0] = reply.Result.Cells[0][1];
+  EXPECT_NE(ReadReply(Written(reply)).find("corner twice"), std::string::npos);
+  reply = MakeReply();
+  std::swap(reply.Result.Cells[0], reply.Result.Cells[12]);
+  EXPECT_NE(ReadReply(Written(reply)).find("disagree"), std::string::npos);
 }
 
 // A line of progress is understood, any other line is not taken for one.

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * All that is done with a decomposition, with settings drawn from bytes.
+ */
+#ifndef Carving_h
+#define Carving_h
+
+#include "Bytes.h"
+#include "LevelSelection.h"
+#include "StoredStream.h"
+
+template <int D>
+struct Carving
+{
+  carving::StoredStream<D> Stored;
+  carving::Profile Profile;
+  std::vector<int> Steps; ///< of the levels
+};
+
+/** Classifies and carves, and picks levels. */
+template <int D>
+Carving<D> CarveWith(Bytes& bytes, const carving::Decomposition<D>& mesh);
+
+/** Ends the program, which the fuzzer reports, if something does not hold. */
+void Require(bool holds);
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fuzz target: carves small decompositions by every rule, and holds what comes out against what must be.
+ */
+#include "Carving.h"
+#include "Chain.h"
+#include "Decompositions.h"
+#include "Level.h"
+#include "Manifold.h"
+#include "ManifoldCheck.h"
+#include "Validity.h"
+
+#include <cstdint>
+
+using namespace carving;
+
+namespace
+{
+
+/** A level has as many faces as the profile says, and can be cut into a manifold. */
+template <int D>
+void CheckLevel(const Carving<D>& carved, int step)
+{
+  const Level<D> level = ExtractLevel(carved.Stored, step);
+  const ManifoldLevel<D> cut = CutIntoManifold(carved.Stored, level);
+  Require(static_cast<int>(level.Faces.size()) == carved.Profile.Triangles[step]);
+  Require(static_cast<int>(KeepUncut(level).Points.size()) == carved.Profile.Vertices[step]);
+  if constexpr (D == 3)
+  {
+    Require(checks::FindFaults(level, cut) == checks::ManifoldFaults());
+  }
+}
+
+/** The chain passes approximations of the profile's sizes, forward and backward. */
+template <int D>
+void CheckChain(const Carving<D>& carved)
+{
+  Chain<D> chain(carved.Stored);
+  int vertices = carved.Profile.Vertices[0], faces = carved.Profile.Triangles[0];
+  const auto apply = [&](const ChainUpdate<D>& update)
+  {
+    faces += static_cast<int>(update.Added.size()) - static_cast<int>(update.Removed.size());
+    vertices += static_cast<int>(update.AddedVertices.size()) -
+      static_cast<int>(update.RemovedVertices.size());
+    Require(faces == carved.Profile.Triangles[chain.GetStep()]);
+    Require(vertices == carved.Profile.Vertices[chain.GetStep()]);
+  };
+  while (chain.HasNext())
+  {
+    apply(chain.Next());
+  }
+  while (chain.HasPrevious())
+  {
+    apply(chain.Previous());
+  }
+}
+
+/** What a file does not keep of a stream is found again. */
+template <int D>
+void CheckRestoring(const StoredStream<D>& stored)
+{
+  StoredStream<D> restored = stored;
+  restored.Mesh.Neighbors.clear();
+  restored.Mesh.Constraints.clear();
+  restored.Sides.clear();
+  Require(Connect(restored, GetSolidSides(stored)));
+  Require(restored.Mesh.Neighbors == stored.Mesh.Neighbors);
+  Require(restored.Mesh.Constraints == stored.Mesh.Constraints);
+  Require(restored.Sides == stored.Sides);
+}
+
+template <int D>
+void Check(Bytes& bytes)
+{
+  const Decomposition<D> mesh = MakeDecomposition<D>(bytes);
+  Require(FindMistake(mesh).empty());
+  const Carving<D> carved = CarveWith(bytes, mesh);
+  for (const int step : carved.Steps)
+  {
+    CheckLevel(carved, step);
+  }
+  CheckChain(carved);
+  CheckRestoring(carved.Stored);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  Bytes bytes(data, size);
+  if (bytes.Below(4) == 0)
+  {
+    Check<2>(bytes);
+  }
+  else
+  {
+    Check<3>(bytes);
+  }
+  return 0;
+}

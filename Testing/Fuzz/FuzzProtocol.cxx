@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fuzz target: what a host and the helper program read of each other. What is accepted is written again as
+ * it was, and a reply can be carved.
+ */
+#include "Carving.h"
+#include "Level.h"
+#include "Manifold.h"
+#include "Protocol.h"
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+using namespace carving;
+
+namespace
+{
+
+/** Reads a message; whether it was accepted. */
+template <class Message>
+bool ReadBack(const Bytes& bytes, Message& message)
+{
+  if (!Read(bytes.Data(), bytes.Size(), message).empty())
+  {
+    return false;
+  }
+  std::ostringstream written;
+  Write(written, message);
+  Require(written.str() == std::string(bytes.Data(), bytes.Size()));
+  return true;
+}
+
+template <int D>
+void Carve(Bytes settings, const Decomposition<D>& mesh)
+{
+  if (mesh.Cells.empty())
+  {
+    return; // the reply has none of this dimension
+  }
+  const Carving<D> carved = CarveWith(settings, mesh);
+  for (const int step : carved.Steps)
+  {
+    const Level<D> level = ExtractLevel(carved.Stored, step);
+    Require(CutIntoManifold(carved.Stored, level).Faces.size() == level.Faces.size());
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  constexpr std::size_t sizeOfSettings = 64;
+  Bytes bytes(data, size);
+  switch (bytes.Below(3))
+  {
+    case 0:
+    {
+      Job job;
+      ReadBack(bytes, job);
+      break;
+    }
+    case 1:
+    {
+      const Bytes settings(data, size < sizeOfSettings ? size : sizeOfSettings);
+      for (std::size_t i = 1; i < sizeOfSettings; ++i)
+      {
+        bytes.Below(2);
+      }
+      Reply reply;
+      if (ReadBack(bytes, reply))
+      {
+        Carve(settings, reply.Result);
+        Carve(settings, reply.Plane);
+      }
+      break;
+    }
+    default:
+    {
+      Stage stage = Stage::Clean;
+      double fraction = 0.0;
+      if (ParseProgress(std::string(bytes.Data(), bytes.Size()), stage, fraction))
+      {
+        StageName(stage);
+      }
+      break;
+    }
+  }
+  return 0;
+}

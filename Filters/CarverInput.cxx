@@ -1,71 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CarverInput.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkIdTypeArray.h"
+#include "InputCells.h"
+#include "vtkContourTriangulator.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkPoints.h"
+#include "vtkTriangleStrip.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
-#include <sstream>
 
 namespace
 {
 
-constexpr const char* CellIdName = "TopologyCarvingCellId";
-
-/** Triangles only, with the cells they come from as an array. */
-void Triangulate(vtkPolyData* input, vtkPolyData* output)
+/** Cuts polygons into triangles. */
+class PolygonCutter
 {
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName(CellIdName);
-  ids->SetNumberOfTuples(input->GetNumberOfCells());
-  std::iota(ids->Begin(), ids->End(), 0);
-  vtkNew<vtkPolyData> numbered;
-  numbered->CopyStructure(input);
-  numbered->GetCellData()->AddArray(ids);
-  numbered->GetCellData()->AddArray(input->GetCellGhostArray());
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->PassVertsOff();
-  triangulate->PassLinesOff();
-  triangulate->SetInputData(numbered);
-  triangulate->Update();
-  output->ShallowCopy(triangulate->GetOutput());
-}
-
-std::string CheckFinite(const carving::TriangleMesh& mesh)
-{
-  for (const carving::Triangle& triangle : mesh.Triangles)
+public:
+  explicit PolygonCutter(vtkPoints* points)
+    : Points(points)
   {
-    for (const int corner : triangle)
+  }
+
+  /** Never loses a part: what has no proper triangulation becomes a fan. */
+  vtkCellArray* Cut(vtkIdType size, const vtkIdType* corners)
+  {
+    this->Triangles->Reset();
+    this->TakeDistinct(size, corners);
+    const vtkIdType count = this->Corners->GetNumberOfIds();
+    if (count > 3)
     {
-      const carving::Point& p = mesh.Points[corner];
-      if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
+      vtkContourTriangulator::TriangulatePolygon(this->Corners, this->Points, this->Triangles);
+    }
+    if (this->Triangles->GetNumberOfCells() != count - 2 && count > 2)
+    {
+      this->NumberOfFans += count > 3;
+      this->Triangles->Reset();
+      for (vtkIdType i = 2; i < count; ++i)
       {
-        std::ostringstream error;
-        error << "Point " << corner << " is (" << p[0] << ", " << p[1] << ", " << p[2]
-              << "): coordinates must be finite. Remove the cells that use it.";
-        return error.str();
+        this->Triangles->InsertNextCell(
+          { this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i) });
+      }
+    }
+    return this->Triangles;
+  }
+
+  vtkIdType GetNumberOfFans() const
+  {
+    return this->NumberOfFans;
+  }
+
+private:
+  /** Leaves out a corner that lies where the one before it does. */
+  void TakeDistinct(vtkIdType size, const vtkIdType* corners)
+  {
+    this->Corners->Reset();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double p[3], before[3];
+      this->Points->GetPoint(corners[i], p);
+      this->Points->GetPoint(corners[i > 0 ? i - 1 : size - 1], before);
+      if (!std::equal(p, p + 3, before))
+      {
+        this->Corners->InsertNextId(corners[i]);
       }
     }
   }
-  return {};
-}
+
+  vtkPoints* Points;
+  vtkNew<vtkIdList> Corners;
+  vtkNew<vtkCellArray> Triangles;
+  vtkIdType NumberOfFans = 0;
+};
 
 } // namespace
 
 std::string CarverInput::Gather(vtkPolyData* input)
 {
   *this = {};
-  if (input->GetNumberOfPoints() > VTK_INT_MAX || input->GetNumberOfCells() > VTK_INT_MAX)
+  const std::string error = CheckCells(input, { input->GetPolys(), input->GetStrips() });
+  if (!error.empty())
   {
-    return "The mesh has more points or cells than a 32-bit integer can count.";
+    return error;
   }
   if (input->GetNumberOfVerts() > 0 || input->GetNumberOfLines() > 0)
   {
@@ -77,35 +93,39 @@ std::string CarverInput::Gather(vtkPolyData* input)
   {
     return {};
   }
-  vtkNew<vtkPolyData> triangulated;
-  Triangulate(input, triangulated);
-  const vtkIdType* ids =
-    vtkIdTypeArray::SafeDownCast(triangulated->GetCellData()->GetArray(CellIdName))->GetPointer(0);
-  vtkUnsignedCharArray* ghosts = triangulated->GetCellGhostArray();
-  constexpr unsigned char skipped =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-
   this->Mesh.Points.resize(input->GetNumberOfPoints());
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     input->GetPoint(i, this->Mesh.Points[i].data());
   }
-  vtkCellArray* triangles = triangulated->GetPolys();
-  const vtkIdType numberOfTriangles = triangles->GetNumberOfCells();
-  this->Mesh.Triangles.reserve(numberOfTriangles);
-  this->CellIds.reserve(numberOfTriangles);
-  for (vtkIdType i = 0; i < numberOfTriangles; ++i)
+  const auto add = [this](vtkIdType cell, vtkCellArray* triangles)
   {
-    if (ghosts && (ghosts->GetValue(i) & skipped))
+    for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
     {
-      continue;
+      vtkIdType size;
+      const vtkIdType* corners;
+      triangles->GetCellAtId(i, size, corners);
+      this->Mesh.Triangles.push_back({ static_cast<int>(corners[0]), static_cast<int>(corners[1]),
+        static_cast<int>(corners[2]) });
+      this->CellIds.push_back(cell);
     }
-    vtkIdType size;
-    const vtkIdType* corners;
-    triangles->GetCellAtId(i, size, corners);
-    this->Mesh.Triangles.push_back(
-      { static_cast<int>(corners[0]), static_cast<int>(corners[1]), static_cast<int>(corners[2]) });
-    this->CellIds.push_back(ids[i]);
+  };
+  PolygonCutter cutter(input->GetPoints());
+  VisitCells(input, { input->GetPolys() },
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    { add(cell, cutter.Cut(size, corners)); });
+  vtkNew<vtkCellArray> ofStrip;
+  VisitCells(input, { input->GetStrips() },
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    {
+      ofStrip->Reset();
+      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, ofStrip);
+      add(cell, ofStrip);
+    });
+  if (cutter.GetNumberOfFans() > 0)
+  {
+    this->Notes.push_back(std::to_string(cutter.GetNumberOfFans()) +
+      " polygons cross themselves or have no area: they were cut into fans of triangles.");
   }
-  return CheckFinite(this->Mesh);
+  return {};
 }

@@ -19,12 +19,12 @@ struct CarverInput
   carving::TriangleMesh Mesh;
   /** Per triangle of Mesh: the cell of the vtkPolyData that it comes from. */
   std::vector<vtkIdType> CellIds;
-  /** For the user: what was passed over. */
+  /** For the user: what was passed over or cut in an unusual way. */
   std::vector<std::string> Notes;
 
   /**
    * Triangulates polygons and strips; passes over vertices, lines, and ghost and hidden cells.
-   * Returns an empty string, or an error: a point of a triangle that is not finite.
+   * Returns an empty string, or an error of CheckCells.
    */
   std::string Gather(vtkPolyData* input);
   bool IsEmpty() const

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourInput.h"
 
+#include "InputCells.h"
 #include "Vector.h"
-#include "vtkCellArray.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,22 +28,6 @@ std::vector<int> UsedPoints(const ContourSet& contours)
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   return used;
-}
-
-std::string CheckFinite(const std::vector<Point>& points, const std::vector<int>& used)
-{
-  for (const int i : used)
-  {
-    const Point& p = points[i];
-    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
-    {
-      std::ostringstream error;
-      error << "Point " << i << " is (" << p[0] << ", " << p[1] << ", " << p[2]
-            << "): coordinates must be finite. Remove the cells that use it.";
-      return error.str();
-    }
-  }
-  return {};
 }
 
 /** From the first point to the one for which a measure of that vector is the greatest. */
@@ -101,38 +82,29 @@ std::string ContourInput::GatherInPlaneOf(const ContourInput& other, vtkPolyData
 
 std::string ContourInput::GatherEdges(vtkPolyData* input)
 {
-  if (input->GetNumberOfPoints() > VTK_INT_MAX || input->GetNumberOfCells() > VTK_INT_MAX)
+  const std::string error = CheckCells(input, { input->GetLines(), input->GetPolys() });
+  if (!error.empty())
   {
-    return "The contours have more points or cells than a 32-bit integer can count.";
+    return error;
   }
   if (CountSkipped(input) > 0)
   {
     this->Notes.push_back("Vertices and triangle strips are no contours: " +
       std::to_string(CountSkipped(input)) + " cells were passed over.");
   }
-  vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
-  constexpr unsigned char skipped =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  vtkIdType cell = input->GetNumberOfVerts();
   for (vtkCellArray* cells : { input->GetLines(), input->GetPolys() })
   {
     const bool closed = cells == input->GetPolys();
-    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i, ++cell)
-    {
-      if (ghosts && (ghosts->GetValue(cell) & skipped))
+    VisitCells(input, { cells },
+      [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
       {
-        continue;
-      }
-      vtkIdType size;
-      const vtkIdType* corners;
-      cells->GetCellAtId(i, size, corners);
-      for (vtkIdType k = closed ? 0 : 1; k < size; ++k)
-      {
-        const vtkIdType from = corners[k > 0 ? k - 1 : size - 1];
-        this->Contours.Edges.push_back({ static_cast<int>(from), static_cast<int>(corners[k]) });
-        this->CellIds.push_back(cell);
-      }
-    }
+        for (vtkIdType k = closed ? 0 : 1; k < size; ++k)
+        {
+          const vtkIdType from = corners[k > 0 ? k - 1 : size - 1];
+          this->Contours.Edges.push_back({ static_cast<int>(from), static_cast<int>(corners[k]) });
+          this->CellIds.push_back(cell);
+        }
+      });
   }
   this->Contours.Points.resize(input->GetNumberOfPoints());
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -146,11 +118,6 @@ std::string ContourInput::Rotate()
 {
   std::vector<Point>& points = this->Contours.Points;
   const std::vector<int> used = UsedPoints(this->Contours);
-  const std::string error = CheckFinite(points, used);
-  if (!error.empty())
-  {
-    return error;
-  }
   Plane& plane = this->Common;
   const bool given = plane.Known;
   if (!given)

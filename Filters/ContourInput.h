@@ -27,8 +27,8 @@ struct ContourInput
 
   /**
    * Takes the edges of polylines and of the boundaries of polygons; passes over vertices, strips, and
-   * ghost and hidden cells. Returns an empty string, or an error: a point of an edge that is not
-   * finite or not in the plane of the others.
+   * ghost and hidden cells. Returns an empty string, or an error: one of CheckCells, or a point of an
+   * edge that is not in the plane of the others.
    */
   std::string Gather(vtkPolyData* input);
   /** The same for edges that have to lie in the plane of those of another input, if that has any. */

@@ -14,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -63,10 +64,49 @@ void InterpolateNewPoints(
     vtkIdType cellId = -1;
     int subId = 0;
     locator->FindClosestPoint(points.Points[i].data(), closest, cell, cellId, subId, distance);
+    if (cellId < 0)
+    {
+      continue; // all cells are too thin to tell
+    }
     surface->GetCell(cellId, cell);
     cell->EvaluatePosition(closest, onCell, subId, parametric, distance, weights.data());
     output->InterpolatePoint(
       input->GetPointData(), static_cast<vtkIdType>(i), cell->GetPointIds(), weights.data());
+  }
+}
+
+/**
+ * Adds the arrays of ids, which VTK leaves out where it interpolates or cuts, as plain arrays: what has
+ * been cut is not unique. `source(i)` is the place of entry i in the input, or -1, which gets the id -1.
+ */
+template <class Source>
+void AddIdArrays(
+  vtkDataSetAttributes* input, vtkIdType count, const Source& source, vtkDataSetAttributes* output)
+{
+  for (int k = 0; k < input->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* from = input->GetAbstractArray(k);
+    if (!from->GetName() || output->HasArray(from->GetName()))
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkAbstractArray> to;
+    to.TakeReference(from->NewInstance());
+    to->SetName(from->GetName());
+    to->SetNumberOfComponents(from->GetNumberOfComponents());
+    to->SetNumberOfTuples(count);
+    if (auto* numbers = vtkDataArray::SafeDownCast(to))
+    {
+      numbers->Fill(-1.0);
+    }
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      if (source(i) >= 0)
+      {
+        to->SetTuple(i, source(i), from);
+      }
+    }
+    output->AddArray(to);
   }
 }
 
@@ -97,6 +137,8 @@ void FillPoints(
   {
     InterpolateNewPoints(points, input, pointData);
   }
+  AddIdArrays(
+    input->GetPointData(), count, [&](vtkIdType i) { return points.PointSources[i]; }, pointData);
   output->SetPoints(coordinates);
   pointData->AddArray(ids);
 }
@@ -189,6 +231,8 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
     originalCells->SetValue(i, original);
     output->CopyData(input->GetCellData(), original, i);
   }
+  AddIdArrays(
+    input->GetCellData(), count, [&](vtkIdType i) { return originalCells->GetValue(i); }, output);
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
          priority, depth, steps, region, solidSides, solidTurns, originalCells })
   {

@@ -99,14 +99,10 @@ double vtkCarverAlgorithm::GetStageSeconds(int stage)
 //------------------------------------------------------------------------------
 int vtkCarverAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  // Declared too, or the pipeline would feed the leaves one by one and keep the last result only.
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  // Anything on port 0: with vtkPolyData alone the pipeline would feed the leaves of a composite one by
+  // one and keep the last result only, and would not say what to do about a grid.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObject" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;
 }
 

@@ -161,8 +161,10 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
     return "No triangle of the mesh has an area: there is nothing to carve out.";
   }
   const bool flat = AreInPlane(surface.Points, surface) && AreInPlane(further, surface);
-  return flat ? "All points lie in one plane, so that their convex hull has no volume to carve."
-              : "";
+  return flat
+    ? "All points lie in one plane, so that their convex hull has no volume to carve. Carve them "
+      "as contours, with vtkContourCarver, or start from a bounding box."
+    : "";
 }
 
 std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)

@@ -10,6 +10,7 @@
 #include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -91,6 +92,18 @@ vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level)
 int GetLevelStep(vtkCarverAlgorithm* carver, int level)
 {
   return static_cast<int>(GetLevel(carver, level)->GetFieldData()->GetArray("Step")->GetTuple1(0));
+}
+
+std::string GetNotes(vtkCarverAlgorithm* carver)
+{
+  auto* notes =
+    vtkStringArray::SafeDownCast(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
+  std::string text;
+  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  {
+    text += notes->GetValue(i) + "\n";
+  }
+  return text;
 }
 
 Messages::Messages(vtkAlgorithm* filter)

@@ -26,6 +26,8 @@ vtkSmartPointer<vtkPolyData> TwoBoxes();
 
 vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level);
 int GetLevelStep(vtkCarverAlgorithm* carver, int level);
+/** The notes in the field data of port 0, a line each. */
+std::string GetNotes(vtkCarverAlgorithm* carver);
 
 /** Collects the errors and warnings of a filter, which are then not printed. */
 class Messages

@@ -1,30 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
-#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-namespace
-{
-
-std::string GetNotes(vtkTopologyCarver* carver)
-{
-  auto* notes =
-    vtkStringArray::SafeDownCast(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
-  std::string text;
-  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
-  {
-    text += notes->GetValue(i) + "\n";
-  }
-  return text;
-}
-
-} // namespace
 
 // A convex mesh has nothing to carve: one level, no error, and a note that says so.
 TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)

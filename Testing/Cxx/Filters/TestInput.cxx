@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkContourCarver.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using carving::Point;
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+/** The one error of a carver. */
+std::string ErrorOf(vtkCarverAlgorithm* carver, vtkDataObject* input)
+{
+  Messages messages(carver);
+  carver->SetInputDataObject(0, input);
+  carver->Update();
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  return messages.Errors.empty() ? "" : messages.Errors[0];
+}
+
+std::string ErrorOf(vtkDataObject* input)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  return ErrorOf(carver, input);
+}
+
+/** Two boxes whose gap is as wide as the time. */
+class MovingBoxes : public vtkPolyDataAlgorithm
+{
+public:
+  static MovingBoxes* New();
+  vtkTypeMacro(MovingBoxes, vtkPolyDataAlgorithm);
+
+protected:
+  MovingBoxes()
+  {
+    this->SetNumberOfInputPorts(0);
+  }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* out) override
+  {
+    const double times[] = { 1.0, 2.5 };
+    vtkInformation* info = out->GetInformationObject(0);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times, 2);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), times, 2);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* out) override
+  {
+    const double time =
+      out->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    vtkPolyData* output = vtkPolyData::GetData(out);
+    output->ShallowCopy(ToPolyData(models::Joined(
+      models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 1 + time, 0, 0 }, { 2 + time, 1, 1 }))));
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
+  }
+};
+vtkStandardNewMacro(MovingBoxes);
+
+} // namespace
+
+// Cells that are blanked or of another process are as good as not there, whatever their points.
+TEST(Input, SkipsHiddenCells)
+{
+  auto input = TwoBoxes();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    ghosts->InsertNextValue(i < 12 ? 0
+        : i % 2                    ? vtkDataSetAttributes::HIDDENCELL
+                                   : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  input->GetCellData()->AddArray(ghosts);
+  input->GetPoints()->SetPoint(12, NaN, 0, 0);
+  const auto carver = Carve(input);
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12);
+  EXPECT_EQ(LastLevel(carver)->GetBounds()[1], 1.0);
+}
+
+// What is not polygonal is an error that says which filter makes it so.
+TEST(Input, NamesExtractSurfaceForGrids)
+{
+  vtkNew<vtkImageData> image;
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkTable> table;
+  vtkNew<vtkTopologyCarver> carver;
+  vtkNew<vtkContourCarver> contourCarver;
+  for (vtkDataObject* input : { static_cast<vtkDataObject*>(image.Get()),
+         static_cast<vtkDataObject*>(grid.Get()), static_cast<vtkDataObject*>(table.Get()) })
+  {
+    for (vtkCarverAlgorithm* filter : { static_cast<vtkCarverAlgorithm*>(carver.Get()),
+           static_cast<vtkCarverAlgorithm*>(contourCarver.Get()) })
+    {
+      const std::string error = ErrorOf(filter, input);
+      EXPECT_NE(error.find(input->GetClassName()), std::string::npos) << error;
+      EXPECT_NE(error.find("Extract Surface"), std::string::npos) << error;
+    }
+  }
+  // The same filter takes polygons next.
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+}
+
+// An input that changes with time is carved for the time that is asked for, and its times pass through.
+TEST(Input, IsCarvedForTheTimeAskedFor)
+{
+  vtkNew<MovingBoxes> source;
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputConnection(source->GetOutputPort());
+  carver->UpdateInformation();
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkInformation* info = carver->GetOutputInformation(port);
+    ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 2);
+    EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[1], 2.5);
+  }
+  for (const double time : { 1.0, 2.5, 1.0 })
+  {
+    carver->UpdateTimeStep(time);
+    EXPECT_DOUBLE_EQ(GetVolume(GetLevel(carver, 0)), 2.0 + time);
+    EXPECT_DOUBLE_EQ(GetVolume(LastLevel(carver)), 2.0);
+  }
+}
+
+// Data of every type arrives on every level, also at the corners of a box, which are new points.
+TEST(Input, CarriesArraysOfEveryType)
+{
+  auto input = TwoBoxes();
+  std::vector<int> types;
+  for (const int type : { VTK_BIT, VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE, VTK_ID_TYPE, VTK_STRING, VTK_VARIANT })
+  {
+    types.push_back(type);
+    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(input->GetPointData()),
+           static_cast<vtkDataSetAttributes*>(input->GetCellData()) })
+    {
+      const bool ofPoints = data == input->GetPointData();
+      vtkSmartPointer<vtkAbstractArray> own;
+      own.TakeReference(vtkAbstractArray::CreateArray(type));
+      own->SetName(("type " + std::to_string(type)).c_str());
+      const vtkIdType count = ofPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+      own->SetNumberOfTuples(count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        own->SetVariantValue(i, vtkVariant(static_cast<int>(i % 2)));
+      }
+      data->AddArray(own);
+    }
+  }
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(input);
+  carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  for (unsigned int l = 0; l < carver->GetOutput()->GetNumberOfBlocks(); ++l)
+  {
+    vtkPolyData* level = GetLevel(carver, static_cast<int>(l));
+    for (const int type : types)
+    {
+      const std::string name = "type " + std::to_string(type);
+      const std::pair<vtkDataSetAttributes*, const char*> both[] = { { level->GetPointData(),
+                                                                       "vtkOriginalPointIds" },
+        { level->GetCellData(), "vtkOriginalCellIds" } };
+      for (const auto& [data, idName] : both)
+      {
+        vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
+        ASSERT_NE(array, nullptr) << name;
+        ASSERT_EQ(array->GetDataType(), type);
+        for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+        {
+          const int id = data->GetArray(idName)->GetVariantValue(i).ToInt();
+          if (id >= 0)
+          {
+            // A bit array's own variant values are all zero.
+            auto* numbers = vtkDataArray::SafeDownCast(array);
+            ASSERT_EQ(numbers ? numbers->GetTuple1(i) : array->GetVariantValue(i).ToInt(), id % 2)
+              << name;
+          }
+        }
+      }
+    }
+  }
+}
+
+// A level can be carved again: what its arrays are called does not get in the way.
+TEST(Input, MayBeALevel)
+{
+  const auto first = Carve(ToPolyData(models::Joined(
+    models::Torus(1.0, 0.3, 9, 6), models::Moved(models::Sphere(1), { 0.3, 0.4, 1.0 }))));
+  vtkPolyData* level = LastLevel(first);
+  const auto second = Carve(level);
+  EXPECT_EQ(GetTriangles(LastLevel(second)), GetTriangles(level));
+  vtkCellData* data = LastLevel(second)->GetCellData();
+  std::set<double> ids;
+  for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
+  {
+    ids.insert(data->GetArray("vtkOriginalCellIds")->GetTuple1(i));
+    EXPECT_TRUE(std::isnan(data->GetArray("Priority")->GetTuple1(i)));
+  }
+  EXPECT_EQ(ids.size(), static_cast<std::size_t>(level->GetNumberOfCells()));
+}
+
+// Equal triangles count once where they face the same way; where they do not, neither gets lost: a
+// Coordinates in single precision are those of the levels, in double precision.
+TEST(Input, MayBeInSinglePrecision)
+{
+  auto input = ToPolyData(models::Torus(1.0, 0.3, 9, 6));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->DeepCopy(input->GetPoints());
+  ASSERT_EQ(points->GetDataType(), VTK_FLOAT);
+  input->SetPoints(points);
+  const auto carver = Carve(input);
+  EXPECT_EQ(LastLevel(carver)->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input));
+}
+
+// Far from the origin, tiny or huge, a mesh is carved as it is where it is.
+TEST(Input, MayBeOfAnySizeAndPlace)
+{
+  const auto torus = models::Torus(1.0, 0.3, 9, 6);
+  const std::pair<double, Point> cases[] = { { 1, { 1e8, 2e8, -1e8 } }, { 1e-9, { 0, 0, 0 } },
+    { 1e-9, { 1, 1, 1 } }, { 1e8, { 0, 0, 0 } } };
+  for (const auto& [scale, place] : cases)
+  {
+    auto input = ToPolyData(models::Moved(torus, place, scale));
+    const auto carver = Carve(input);
+    ASSERT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u) << scale;
+    EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input)) << scale;
+    const auto boxes = QuadBoxes(
+      [&, s = scale, p = place](const Point& q) {
+        return Point{ s * q[0] + p[0], s * q[1] + p[1], s * q[2] + p[2] };
+      });
+    EXPECT_EQ(LastLevel(Carve(boxes))->GetNumberOfPolys(), 24) << scale;
+  }
+}
+
+// Coordinates whose products overflow or vanish are an error that says to scale.
+TEST(Input, MustNotOverflow)
+{
+  const auto scaled = [](double s) {
+    return QuadBoxes([s](const Point& p) { return Point{ s * p[0], s * p[1], s * p[2] }; });
+  };
+  EXPECT_NE(ErrorOf(scaled(1e100)).find("Point 1 is (1e+100, 0, 0)"), std::string::npos);
+  EXPECT_NE(ErrorOf(scaled(1e-100)).find("Scale the input"), std::string::npos);
+}
+
+// One triangle has a hull without volume, which is an error that names what would work; a box around
+// it works.
+TEST(Input, MayBeOneTriangleInABox)
+{
+  auto input = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
+  const std::string error = ErrorOf(input);
+  EXPECT_NE(error.find("no volume"), std::string::npos) << error;
+  EXPECT_NE(error.find("vtkContourCarver"), std::string::npos) << error;
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
+  carver->Update();
+  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input));
+}
+
+// Of several points that are not finite the first one is named, whichever cell comes first.
+TEST(Input, NamesTheFirstPointThatIsNotFinite)
+{
+  auto input = QuadBoxes();
+  input->GetPoints()->SetPoint(15, 0, NaN, 0);
+  input->GetPoints()->SetPoint(4, 0, 0, HUGE_VAL);
+  input->GetPolys()->ReplaceCellAtId(0, { 8, 10, 15, 9 });
+  EXPECT_NE(ErrorOf(input).find("Point 4 is (0, 0, inf)"), std::string::npos);
+}
+
+// A cell with a point that there is not is an error that names both, in space and in the plane.
+TEST(Input, NamesACellWithAnUnknownPoint)
+{
+  for (const vtkIdType unknown : { -1, 16 })
+  {
+    auto input = QuadBoxes();
+    input->GetPolys()->InsertNextCell({ 0, 1, unknown });
+    vtkNew<vtkTopologyCarver> carver;
+    vtkNew<vtkContourCarver> contourCarver;
+    for (vtkCarverAlgorithm* filter : { static_cast<vtkCarverAlgorithm*>(carver.Get()),
+           static_cast<vtkCarverAlgorithm*>(contourCarver.Get()) })
+    {
+      EXPECT_NE(ErrorOf(filter, input).find("Cell 12 has the point " + std::to_string(unknown)),
+        std::string::npos);
+    }
+  }
+}
+
+// Points, vertices and lines alone are nothing to carve: no level, no error, a note for the cells.
+TEST(Input, MayHaveNoTriangle)
+{
+  auto input = TwoBoxes();
+  input->SetPolys(nullptr);
+  EXPECT_EQ(Carve(input)->GetOutput()->GetNumberOfBlocks(), 0u);
+  vtkNew<vtkCellArray> verts, lines;
+  verts->InsertNextCell({ 1 });
+  lines->InsertNextCell({ 2, 3, 4 });
+  input->SetVerts(verts);
+  input->SetLines(lines);
+  const auto carver = Carve(input);
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_NE(GetNotes(carver).find("2 cells were passed over"), std::string::npos);
+}

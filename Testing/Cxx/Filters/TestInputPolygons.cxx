@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using carving::Point;
+
+// Polygons may have corners in the middle of straight sides, wherever they begin.
+TEST(InputPolygons, MayHaveCollinearPoints)
+{
+  // A cube of side 2 with a point in the middle of every edge.
+  std::vector<Point> points;
+  Polygons polygons;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      const int around[8][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 2, 2 }, { 1, 2 },
+        { 0, 2 }, { 0, 1 } };
+      std::vector<vtkIdType> polygon;
+      for (const auto& [u, v] : around)
+      {
+        Point p;
+        p[axis] = 2.0 * side;
+        p[(axis + 1) % 3] = side ? u : v;
+        p[(axis + 2) % 3] = side ? v : u;
+        polygon.push_back(static_cast<vtkIdType>(points.size()));
+        points.push_back(p);
+      }
+      std::rotate(polygon.begin(), polygon.begin() + 3 * axis + side, polygon.end());
+      polygons.push_back(polygon);
+    }
+  }
+  const auto carver = Carve(MakeMesh(points, polygons));
+  EXPECT_EQ(GetNotes(carver),
+    "The input is its own initial approximation: there is nothing to "
+    "carve.\n");
+  EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPolys(), 36);
+  EXPECT_DOUBLE_EQ(GetVolume(GetLevel(carver, 0)), 8.0);
+}
+
+// A polygon whose boundary goes through a cut to a hole and back has that hole.
+TEST(InputPolygons, MayHaveHoles)
+{
+  std::vector<Point> points;
+  for (const double z : { 0.0, 1.0 })
+  {
+    for (const auto& [x, y] :
+      { std::pair(0, 0), { 4, 0 }, { 4, 4 }, { 0, 4 }, { 1, 1 }, { 1, 3 }, { 3, 3 }, { 3, 1 } })
+    {
+      points.push_back({ double(x), double(y), z });
+    }
+  }
+  Polygons polygons = { { 4, 7, 6, 5, 4, 0, 3, 2, 1, 0 }, { 8, 9, 10, 11, 8, 12, 13, 14, 15, 12 } };
+  for (const vtkIdType first : { 0, 4 })
+  {
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      const vtkIdType a = first + i, b = first + (i + 1) % 4;
+      polygons.push_back({ a, b, b + 8, a + 8 });
+    }
+  }
+  const auto carver = Carve(MakeMesh(points, polygons));
+  EXPECT_DOUBLE_EQ(GetVolume(GetLevel(carver, 0)), 16.0);
+  EXPECT_DOUBLE_EQ(GetVolume(LastLevel(carver)), 12.0);
+}
+
+// A polygon that names a corner twice in a row, or two equal points, is the polygon without it.
+TEST(InputPolygons, MayHaveRepeatedCorners)
+{
+  auto boxes = TwoBoxes();
+  std::vector<Point> points;
+  Polygons polygons;
+  for (vtkIdType cell = 0; cell < boxes->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    boxes->GetCellPoints(cell, ids);
+    std::vector<vtkIdType> polygon;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      Point p;
+      boxes->GetPoint(ids->GetId(corner), p.data());
+      points.push_back(p);
+      polygon.push_back(static_cast<vtkIdType>(points.size()) - 1);
+      if ((cell + corner) % 3 == 0)
+      {
+        polygon.push_back(polygon.back());
+      }
+      else if ((cell + corner) % 3 == 1)
+      {
+        points.push_back(p);
+        polygon.push_back(static_cast<vtkIdType>(points.size()) - 1);
+      }
+    }
+    polygons.push_back(polygon);
+  }
+  const auto carver = Carve(MakeMesh(points, polygons));
+  EXPECT_EQ(GetNotes(carver), "");
+  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(boxes));
+}
+
+// A polygon that crosses itself is not lost: its corners stay enclosed, and a note counts it.
+TEST(InputPolygons, MayCrossThemselves)
+{
+  vtkSmartPointer<vtkPolyData> mesh = QuadBoxes();
+  const vtkIdType first = mesh->GetNumberOfPoints();
+  for (const Point& p :
+    { Point{ 1.25, 0.25, 2 }, { 1.75, 0.75, 2 }, { 1.75, 0.25, 2 }, { 1.25, 0.75, 2 } })
+  {
+    mesh->GetPoints()->InsertNextPoint(p.data());
+  }
+  mesh->GetPolys()->InsertNextCell({ first, first + 1, first + 2, first + 3 });
+  const auto carver = Carve(mesh);
+  EXPECT_NE(GetNotes(carver).find("1 polygons cross themselves"), std::string::npos);
+  for (unsigned int i = 0; i < carver->GetOutput()->GetNumberOfBlocks(); ++i)
+  {
+    EXPECT_EQ(GetLevel(carver, static_cast<int>(i))->GetBounds()[5], 2.0);
+  }
+}
+
+// Strips keep their orientation, and may turn back on repeated corners.
+TEST(InputPolygons, MayBeStripsWithRepeatedCorners)
+{
+  const carving::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  auto input = ToPolyData({ box.Points, {} });
+  vtkNew<vtkCellArray> strips;
+  strips->InsertNextCell({ 0, 4, 1, 5, 3, 7, 2, 6, 0, 4 }); // around
+  strips->InsertNextCell(
+    { 0, 1, 2, 3, 3, 3, 4, 4, 5, 6, 7 }); // bottom and, without area, to the top
+  input->SetStrips(strips);
+  EXPECT_DOUBLE_EQ(std::abs(GetVolume(LastLevel(Carve(input)))), 1.0);
+}
+
+// Cells with fewer corners than a triangle bound nothing.
+TEST(InputPolygons, MayHaveTooFewCorners)
+{
+  vtkSmartPointer<vtkPolyData> mesh = QuadBoxes();
+  const auto expected = GetTriangles(LastLevel(Carve(mesh)));
+  mesh->GetPolys()->InsertNextCell(0);
+  mesh->GetPolys()->InsertNextCell({ 3 });
+  mesh->GetPolys()->InsertNextCell({ 3, 12 });
+  EXPECT_EQ(GetTriangles(LastLevel(Carve(mesh))), expected);
+}
+
+// sheet with two sides is a fold, and boxes that share a side are one solid.
+TEST(InputPolygons, MayCoincide)
+{
+  const auto boxes =
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 1, 0, 0 }, { 2, 1, 1 }));
+  const auto glued = Carve(ToPolyData(models::Joined(boxes, boxes)));
+  EXPECT_DOUBLE_EQ(GetVolume(LastLevel(glued)), 2.0);
+  EXPECT_EQ(LastLevel(glued)->GetNumberOfPolys(), 20);
+
+  const auto sheet = models::Moved(models::Sheet(2), { 0, 0, 3 });
+  const auto leaf = models::Joined(models::Joined(sheet, models::Flipped(sheet)), sheet);
+  const auto carver =
+    Carve(ToPolyData(models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), leaf)));
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12 + 8);
+}

@@ -4,6 +4,7 @@
 #include "CarverInput.h"
 #include "ErrorLog.h"
 #include "HelperProcess.h"
+#include "MemoryFile.h"
 #include "MeshReader.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -12,9 +13,12 @@
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
+#include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtksys/SystemTools.hxx"
+
+#include <fstream>
 
 namespace
 {
@@ -33,12 +37,59 @@ bool WriteWith(const std::string& fileName, vtkDataObject* data)
   return writer->Write() != 0 && writer->GetErrorCode() == 0;
 }
 
+/** Looks at the file's size: the writer does not notice that a disk is full. */
+bool WritePly(const std::string& fileName, vtkPolyData* level)
+{
+  if (!WriteWith<vtkPLYWriter>(fileName, level))
+  {
+    return false;
+  }
+  std::ifstream file(fileName, std::ios::binary);
+  vtkIdType floatsOfPoint = 0;
+  std::string line;
+  while (std::getline(file, line) && line != "end_header")
+  {
+    floatsOfPoint += line.find("property float ") == 0;
+  }
+  constexpr vtkIdType sizeOfTriangle = 1 + 3 * 4;
+  const vtkIdType expected = static_cast<vtkIdType>(file.tellg()) +
+    4 * floatsOfPoint * level->GetNumberOfPoints() + sizeOfTriangle * level->GetNumberOfPolys();
+  file.seekg(0, std::ios::end);
+  return file && file.tellg() == expected;
+}
+
+/** By way of memory, for the same reason. */
+bool WriteObj(const std::string& fileName, vtkPolyData* level)
+{
+  const MemoryFile memory("level");
+  const bool good = WriteWith<vtkOBJWriter>(memory.GetPath(), level);
+  std::ofstream file(fileName, std::ios::binary);
+  memory.Read([&](const char* data, std::size_t size)
+    { file.write(data, static_cast<std::streamsize>(size)); });
+  file.close();
+  return good && file;
+}
+
 bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPolyData* level)
 {
   return extension == ".vtp" ? WriteWith<vtkXMLPolyDataWriter>(fileName, level)
-    : extension == ".ply"    ? WriteWith<vtkPLYWriter>(fileName, level)
-    : extension == ".obj"    ? WriteWith<vtkOBJWriter>(fileName, level)
+    : extension == ".ply"    ? WritePly(fileName, level)
+    : extension == ".obj"    ? WriteObj(fileName, level)
                              : WriteWith<vtkSTLWriter>(fileName, level);
+}
+
+/** The writer does not pass on that one of its files could not be written: reads all of them again. */
+bool WriteMultiBlock(const std::string& fileName, vtkMultiBlockDataSet* levels)
+{
+  if (!WriteWith<vtkXMLMultiBlockDataWriter>(fileName, levels))
+  {
+    return false;
+  }
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName(fileName.c_str());
+  reader->Update();
+  auto* written = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
+  return written && written->GetNumberOfCells() == levels->GetNumberOfCells();
 }
 
 /**
@@ -92,7 +143,7 @@ std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, Err
   if (extension == ".vtm")
   {
     written.push_back(fileName);
-    return WriteWith<vtkXMLMultiBlockDataWriter>(fileName, levels) ? "" : failure + fileName;
+    return WriteMultiBlock(fileName, levels) ? "" : failure + fileName;
   }
   const std::string stem = fileName.substr(0, fileName.size() - extension.size());
   for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)

@@ -275,6 +275,16 @@ class TestCarve(unittest.TestCase):
         for extension in (".vtm", ".vtp", ".ply", ".obj", ".stl"):
             self.expect_failure(self.run_carve(BONES, "-o", "file/out" + extension), 1, "file/out", "write")
 
+    def test_notices_a_full_disk(self):
+        """No format is cut off in silence, nor a level of a multiblock, nor a stream."""
+        names = ["out_0" + extension for extension in (".vtp", ".ply", ".obj", ".stl")] + ["out/out_0.vtp", "s.vtu"]
+        os.mkdir(self.path("out"))
+        for name in names:
+            os.symlink("/dev/full", self.path(name))
+        for extension in (".vtp", ".ply", ".obj", ".stl", ".vtm"):
+            self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out")
+        self.expect_failure(self.run_carve(BONES, "--stream", "s.vtu"), 1, "s.vtu")
+
     # Stored streams
 
     def test_answers_from_a_stored_stream(self):

@@ -21,6 +21,7 @@ namespace
 
 constexpr std::size_t Size = 8192;
 constexpr int Failed = 3;
+constexpr int OutOfMemory = 4;
 
 void Limit(const Limits& limits)
 {
@@ -32,12 +33,7 @@ void Limit(const Limits& limits)
     timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (limits.Seconds - whole)) + 1;
     setitimer(ITIMER_REAL, &timer, nullptr); // its signal ends the process
   }
-  if (limits.Mebibytes > 0.0)
-  {
-    const rlim_t bytes = static_cast<rlim_t>(limits.Mebibytes * 1024.0 * 1024.0);
-    const rlimit limit = { bytes, bytes };
-    setrlimit(RLIMIT_AS, &limit);
-  }
+  LimitMemory(limits.Mebibytes);
 }
 
 std::string Describe(int status, const Limits& limits)
@@ -45,22 +41,41 @@ std::string Describe(int status, const Limits& limits)
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
   {
     char text[64];
-    std::snprintf(text, sizeof(text), "took longer than %.0f s", limits.Seconds);
+    std::snprintf(text, sizeof(text), "took longer than %g s", limits.Seconds);
     return text;
   }
   if (WIFSIGNALED(status))
   {
     return std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
   }
-  return WEXITSTATUS(status) == 0 ? "" : "failed";
+  switch (WEXITSTATUS(status))
+  {
+    case 0:
+      return "";
+    case OutOfMemory:
+      return "ran out of memory";
+    default:
+      return "failed";
+  }
 }
 
 } // namespace
+
+void LimitMemory(double mebibytes)
+{
+  if (mebibytes > 0.0)
+  {
+    const rlim_t bytes = static_cast<rlim_t>(mebibytes * 1024.0 * 1024.0);
+    const rlimit limit = { bytes, bytes };
+    setrlimit(RLIMIT_AS, &limit);
+  }
+}
 
 std::string RunApart(const Limits& limits, const std::function<bool()>& work)
 {
   std::fflush(nullptr);
   std::cout.flush();
+  const pid_t self = getpid();
   const pid_t child = fork();
   if (child < 0)
   {
@@ -69,18 +84,21 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
   if (child == 0)
   {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != self)
+    {
+      _exit(Failed); // it died before it could have been a signal
+    }
     Limit(limits);
-    bool good = false;
+    int code = OutOfMemory;
     try
     {
-      good = work();
+      code = work() ? 0 : Failed;
     }
     catch (const std::bad_alloc&)
     {
-      std::fputs("not enough memory\n", stderr);
     }
     std::fflush(nullptr);
-    _exit(good ? 0 : Failed); // destructors are the parent's
+    _exit(code); // destructors are the parent's
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR)

@@ -18,9 +18,13 @@ struct Limits
 
 /**
  * Forks, and calls `work` in the child, which sees all that there is here and changes none of it. Returns
- * an empty string if `work` returned true, else what ended it. What it has written to `Say` is kept.
+ * an empty string if `work` returned true, else what ended it. What it has added to `Messages` is
+ * kept.
  */
 std::string RunApart(const Limits& limits, const std::function<bool()>& work);
+
+/** Lets this process, and those that it forks, have no more than this; 0: no limit. */
+void LimitMemory(double mebibytes);
 
 /** Text that processes that are run apart, and theirs in turn, leave for this one; at most 8 KiB. */
 class Messages

@@ -120,6 +120,17 @@ std::vector<Point> FurtherPoints(const Job& job, const std::vector<Point>& point
                                                                              : std::vector<Point>();
 }
 
+bool HandOver(const Reply& reply, const LadderHost& host, Messages& messages)
+{
+  host.End();
+  const bool written = host.Write();
+  if (!written)
+  {
+    messages.Add(reply.Rung + ": the result could not be written");
+  }
+  return written;
+}
+
 /** One attempt, in a process of its own. */
 bool Attempt(int order, const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
@@ -140,8 +151,7 @@ bool Attempt(int order, const Job& job, Reply& reply, const LadderHost& host, Me
     return false;
   }
   reply.Attempts = messages.Get();
-  host.End();
-  return host.Write();
+  return HandOver(reply, host, messages);
 }
 
 /** Resolves and tries all orders; in a process of its own too, so that its time can be limited. */
@@ -187,7 +197,7 @@ bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& 
   return false;
 }
 
-bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host)
+bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
   host.Begin(Stage::Tetrahedralize);
   const ResolvedMesh input = std::move(reply.Result.Surface);
@@ -196,8 +206,7 @@ bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host)
   reply.KeptDistance = Enclose(input, further, job.EnclosingTolerance, host.Report, reply.Result);
   reply.PointsAdded =
     static_cast<int>(reply.Result.Surface.Points.size() - input.Points.size() - further.size());
-  host.End();
-  return host.Write();
+  return HandOver(reply, host, messages);
 }
 
 /** Lines as one. */
@@ -241,15 +250,27 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
     }
   }
   reply.Attempts = messages.Get();
-  if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom &&
-    ClimbEnclosing(job, reply, host))
+  if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom)
   {
-    return true;
+    const Limits limits = { job.TimeLimit, job.MemoryLimit };
+    const std::string end =
+      RunApart(limits, [&] { return ClimbEnclosing(job, reply, host, messages); });
+    if (end != "" && end != "failed") // which has said why
+    {
+      messages.Add("Delaunay, enclosing: " + end);
+    }
+    reply.Error = end.empty()
+      ? ""
+      : "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. What "
+        "was tried: " +
+        Joined(messages.Get());
+    return end.empty();
   }
   if (reply.Error.empty())
   {
     reply.Error = "TetGen does not cope with the mesh. Repair or leave out the parts that cross "
-                  "themselves or nearly touch, or let Conformity be AUTO. What was tried: " +
+                  "themselves or nearly touch, let Conformity be AUTO, or raise TimeLimit or "
+                  "MemoryLimit if they are set. What was tried: " +
       Joined(reply.Attempts);
   }
   return false;

@@ -184,7 +184,9 @@ std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization
   }
   catch (int code)
   {
-    return "TetGen gave up with code " + std::to_string(code);
+    constexpr int outOfMemory = 1;
+    return code == outOfMemory ? "TetGen ran out of memory"
+                               : "TetGen gave up with code " + std::to_string(code);
   }
   for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
   {

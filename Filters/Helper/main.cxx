@@ -4,6 +4,7 @@
  * carving-helper: reads a job on standard input and writes the reply to standard output. Protocol.h
  * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
  */
+#include "Apart.h"
 #include "Clean.h"
 #include "InitialContour.h"
 #include "Intersections.h"
@@ -18,6 +19,7 @@
 #include <cstring>
 #include <functional>
 #include <iostream>
+#include <new>
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -121,6 +123,23 @@ void TriangulateGiven(const Job& job, Reply& reply)
   }
 }
 
+/** Returns whether a reply has been written. */
+bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
+{
+  switch (job.Kind)
+  {
+    case JobKind::Tetrahedralize:
+      return TetrahedralizeGiven(job, reply, write);
+    case JobKind::CountIntersections:
+      CountIntersections(job, reply);
+      return write();
+    case JobKind::Triangulate:
+      TriangulateGiven(job, reply);
+      return write();
+  }
+  return false;
+}
+
 std::string ReadAll(std::istream& in)
 {
   std::string all;
@@ -162,6 +181,7 @@ bool WriteReply(int descriptor, Reply& reply)
 int main()
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL); // no orphan survives the host
+  std::signal(SIGXFSZ, SIG_IGN); // a limit on files is an error in writing the reply, not the end
   // Standard output is for the reply alone: what TetGen prints there goes to standard error.
   const int replyDescriptor = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
@@ -181,19 +201,18 @@ int main()
   Reply reply;
   bool written = false;
   const auto write = [&] { return WriteReply(replyDescriptor, reply); };
-  switch (job.Kind)
+  LimitMemory(job.MemoryLimit);
+  try
   {
-    case JobKind::Tetrahedralize:
-      written = TetrahedralizeGiven(job, reply, write);
-      break;
-    case JobKind::CountIntersections:
-      CountIntersections(job, reply);
-      written = write();
-      break;
-    case JobKind::Triangulate:
-      TriangulateGiven(job, reply);
-      written = write();
-      break;
+    written = Work(job, reply, write);
+  }
+  catch (const std::bad_alloc&)
+  {
+    reply = {};
+    reply.StageSeconds.assign(NumberOfStages, 0.0);
+    reply.Error =
+      "carving-helper ran out of memory. Raise MemoryLimit if it is set, or simplify the mesh.";
+    written = write();
   }
   return written ? 0 : 2;
 }

@@ -5,15 +5,17 @@ import gzip
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
+import time
 import unittest
 
 from meshes import two_cubes
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
@@ -40,6 +42,24 @@ def read(reader_class, name):
     reader.SetFileName(name)
     reader.Update()
     return reader.GetOutput()
+
+
+def descendants(pid):
+    """The processes that a process has started, and theirs."""
+    try:
+        with open(f"/proc/{pid}/task/{pid}/children", encoding="ascii") as file:
+            children = file.read().split()
+    except OSError:
+        return []
+    return children + [further for child in children for further in descendants(child)]
+
+
+def is_running(pid):
+    try:
+        with open(f"/proc/{pid}/stat", encoding="ascii") as file:
+            return file.read().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 class TestCarve(unittest.TestCase):
@@ -362,6 +382,31 @@ class TestCarve(unittest.TestCase):
             file.write("#!/bin/sh\nkill -KILL $$\n")
         os.chmod(script, 0o700)
         self.expect_failure(self.run_carve(BONES, TOPOLOGYCARVING_HELPER=script), 1, "died")
+
+    def test_takes_the_helper_along_when_killed(self):
+        """However it ends, the helper program and what that has started end too."""
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(300)
+        sphere.SetPhiResolution(300)
+        sphere.Update()
+        mesh = self.write(vtkXMLPolyDataWriter, "big.vtp", sphere.GetOutput())
+        for end in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
+            carve = subprocess.Popen([CARVE, mesh], stdout=subprocess.DEVNULL, cwd=self.folder)
+            # The helper, and an attempt, which is a process of the helper's.
+            started = self.wait_for(lambda: descendants(carve.pid), lambda pids: len(pids) >= 2)
+            carve.send_signal(end)
+            self.assertNotEqual(carve.wait(), 0)
+            left = self.wait_for(lambda: list(filter(is_running, started)), lambda pids: not pids)
+            self.assertEqual(left, [])
+
+    def wait_for(self, look, good):
+        """What is seen as soon as it is good, or after a minute."""
+        for _ in range(6000):
+            seen = look()
+            if good(seen):
+                break
+            time.sleep(0.01)
+        return seen
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
+#include "Leftovers.h"
 #include "RandomModels.h"
 
 #include "vtkCommand.h"
@@ -9,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
 
 namespace
@@ -17,6 +20,7 @@ namespace
 /** Updates with another helper: an error that has `words`, and then, with the real one, levels. */
 void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
 {
+  const Leftovers leftovers;
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
   carver->SetInputData(TwoBoxes());
@@ -24,6 +28,7 @@ void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
     const OtherHelper current(std::move(helper));
     carver->Update();
   }
+  leftovers.ExpectNone();
   ASSERT_EQ(messages.Errors.size(), 1u);
   EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
   EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
@@ -46,13 +51,14 @@ std::string ErrorFor(vtkPolyData* input)
   return messages.Errors.empty() ? "" : messages.Errors[0];
 }
 
-/** While it lives, aborts a filter as soon as it reports a stage. */
+/** While it lives, aborts a filter as soon as it has reported a stage so many times. */
 class Aborter
 {
 public:
-  Aborter(vtkTopologyCarver* carver, const std::string& stage)
+  Aborter(vtkTopologyCarver* carver, const std::string& stage, int reports = 1)
     : Carver(carver)
     , Stage(stage)
+    , Reports(reports)
     , Tag(carver->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
   {
   }
@@ -65,7 +71,7 @@ private:
   void Abort()
   {
     const char* stage = this->Carver->GetProgressText();
-    if (stage && this->Stage == stage)
+    if (stage && this->Stage == stage && --this->Reports <= 0)
     {
       this->Carver->SetAbortExecute(1);
     }
@@ -73,8 +79,15 @@ private:
 
   vtkTopologyCarver* Carver;
   std::string Stage;
+  int Reports;
   unsigned long Tag;
 };
+
+vtkSmartPointer<vtkPolyData> LargeSpheres()
+{
+  return ToPolyData(
+    models::Joined(models::Sphere(6), models::Moved(models::Sphere(6), { 3, 0, 0 })));
+}
 
 } // namespace
 
@@ -85,10 +98,15 @@ TEST(Faults, ReportsAMissingHelper)
   ExpectErrorAndRecovery("TOPOLOGYCARVING_HELPER", OtherHelper("/there/is/no/such/helper"));
 }
 
-// A file that is not a program is an error as well.
+// A file that is not a program, or is one of another machine's, is an error as well.
 TEST(Faults, ReportsAHelperThatIsNoProgram)
 {
   ExpectErrorAndRecovery("not an executable file", OtherHelper(__FILE__));
+  ExpectErrorAndRecovery("not an executable file", OtherHelper("/"));
+  OtherHelper foreign = OtherHelper::Script("");
+  std::ofstream(std::getenv("TOPOLOGYCARVING_HELPER")) << "\x7f"
+                                                          "ELF of nothing";
+  ExpectErrorAndRecovery("carving-helper", std::move(foreign));
 }
 
 // A helper that is killed in mid-run is an error that says so.
@@ -119,19 +137,25 @@ TEST(Faults, ReportsGarbage)
   ExpectErrorAndRecovery("cannot be used", OtherHelper::Script("exit 0"));
 }
 
-// A helper that hangs is killed as soon as the user aborts; that is no error.
+// A helper that hangs is killed as soon as the user aborts, with what it has started; that is no error.
 TEST(Faults, KillsAHangingHelperOnAbort)
 {
-  const OtherHelper hanging = OtherHelper::Script("echo '@progress 2 0' >&2; exec sleep 60");
-  vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
-  const Aborter aborter(carver, "tetrahedralize");
-  carver->SetInputData(TwoBoxes());
-  const auto start = std::chrono::steady_clock::now();
-  carver->Update();
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-  EXPECT_TRUE(messages.Errors.empty());
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  for (const char* hang : { "exec sleep 60", "sleep 60 & wait", "(sleep 60 & wait) & wait" })
+  {
+    const OtherHelper hanging =
+      OtherHelper::Script(std::string("echo '@progress 2 0' >&2; ") + hang);
+    const Leftovers leftovers;
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    const Aborter aborter(carver, "tetrahedralize", 3);
+    carver->SetInputData(TwoBoxes());
+    const auto start = std::chrono::steady_clock::now();
+    carver->Update();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+    EXPECT_TRUE(messages.Errors.empty());
+    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+    leftovers.ExpectNone();
+  }
 }
 
 // An abort at any stage gives empty output, and the filter works again at once.
@@ -140,6 +164,7 @@ TEST(Faults, CanBeAbortedAtEveryStage)
   auto input = ReadReal("bones.off");
   for (const char* stage : { "clean", "resolve", "tetrahedralize", "classify", "carve", "output" })
   {
+    const Leftovers leftovers;
     vtkNew<vtkTopologyCarver> carver;
     Messages messages(carver);
     carver->SetInputData(input);
@@ -147,11 +172,103 @@ TEST(Faults, CanBeAbortedAtEveryStage)
       const Aborter aborter(carver, stage);
       carver->Update();
     }
+    leftovers.ExpectNone();
     EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u) << stage;
     carver->Modified();
     carver->Update();
     EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u) << stage;
     EXPECT_TRUE(messages.Errors.empty()) << stage;
+  }
+}
+
+// An abort in the middle of an attempt, which is a process of the helper's, ends that too.
+TEST(Faults, CanBeAbortedWithinAnAttempt)
+{
+  const auto input = LargeSpheres();
+  for (const int conformity : { vtkTopologyCarver::EXACT, vtkTopologyCarver::ENCLOSING })
+  {
+    const Leftovers leftovers;
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    const Aborter aborter(carver, "tetrahedralize", 4);
+    carver->SetConformity(conformity);
+    carver->SetInputData(input);
+    carver->Update();
+    EXPECT_TRUE(carver->GetAbortExecute());
+    EXPECT_TRUE(messages.Errors.empty());
+    leftovers.ExpectNone();
+  }
+}
+
+// A limit on memory or time that is too low is an error that says so and names the limit, whatever has to
+// be met; without it the same filter works.
+TEST(Faults, ReportsALimitThatIsReached)
+{
+  const auto input = LargeSpheres();
+  for (const int conformity :
+    { vtkTopologyCarver::EXACT, vtkTopologyCarver::ENCLOSING, vtkTopologyCarver::AUTO })
+  {
+    const Leftovers leftovers;
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    carver->SetInputData(input);
+    carver->SetConformity(conformity);
+    // Room for a part of the work, more of it from round to round.
+    for (const int mebibytes : { 20, 40, 60 })
+    {
+      carver->SetMemoryLimit(mebibytes);
+      carver->Update();
+      ASSERT_EQ(messages.Errors.size(), 1u) << mebibytes;
+      EXPECT_NE(messages.Errors[0].find("ran out of memory"), std::string::npos)
+        << messages.Errors[0];
+      EXPECT_NE(messages.Errors[0].find("MemoryLimit"), std::string::npos) << messages.Errors[0];
+      messages.Errors.clear();
+    }
+    carver->SetMemoryLimit(0);
+    carver->SetTimeLimit(0.01);
+    carver->Update();
+    ASSERT_EQ(messages.Errors.size(), 1u);
+    EXPECT_NE(messages.Errors[0].find("took longer than 0.01 s"), std::string::npos)
+      << messages.Errors[0];
+    EXPECT_NE(messages.Errors[0].find("TimeLimit"), std::string::npos) << messages.Errors[0];
+    messages.Errors.clear();
+    leftovers.ExpectNone();
+    carver->SetTimeLimit(0);
+    carver->SetInputData(TwoBoxes());
+    carver->Update();
+    EXPECT_TRUE(messages.Errors.empty());
+    EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  }
+}
+
+// Where a job, or a reply, cannot be written, that is an error that says so.
+TEST(Faults, ReportsThatThereIsNoRoom)
+{
+  for (const int conformity :
+    { vtkTopologyCarver::EXACT, vtkTopologyCarver::ENCLOSING, vtkTopologyCarver::AUTO })
+  {
+    const std::pair<rlim_t, const char*> cases[] = { { 100, "not enough memory to hand the mesh" },
+      { 2000, "could not be written" }, { 0, "not enough memory to hand the mesh" } };
+    for (const auto& [bytes, words] : cases)
+    {
+      const Leftovers leftovers;
+      vtkNew<vtkTopologyCarver> carver;
+      Messages messages(carver);
+      carver->SetConformity(conformity);
+      carver->SetInputData(TwoBoxes());
+      {
+        const FileSizeLimit limit(bytes);
+        carver->Update();
+      }
+      ASSERT_EQ(messages.Errors.size(), 1u);
+      EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
+      messages.Errors.clear();
+      leftovers.ExpectNone();
+      carver->Modified();
+      carver->Update();
+      EXPECT_TRUE(messages.Errors.empty());
+      EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+    }
   }
 }
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Faults that a test can provoke, and what they must not leave behind.
+ */
+#ifndef Leftovers_h
+#define Leftovers_h
+
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/**
+ * While it lives, processes that lose their parent become this one's children, temporary files go to a
+ * folder of their own, and files that are left open are counted.
+ */
+class Leftovers
+{
+public:
+  Leftovers()
+    : Folder(testing::TempDir() + "leftovers-" + std::to_string(getpid()))
+    , OpenBefore(CountEntries("/proc/self/fd"))
+  {
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+    std::filesystem::create_directory(this->Folder);
+    setenv("TMPDIR", this->Folder.c_str(), 1);
+  }
+  ~Leftovers()
+  {
+    unsetenv("TMPDIR");
+    prctl(PR_SET_CHILD_SUBREAPER, 0);
+    std::filesystem::remove_all(this->Folder);
+  }
+  Leftovers(const Leftovers&) = delete;
+  void operator=(const Leftovers&) = delete;
+
+  void ExpectNone() const
+  {
+    EXPECT_TRUE(AllProcessesEnd());
+    EXPECT_EQ(CountEntries(this->Folder), 0);
+    EXPECT_EQ(CountEntries("/proc/self/fd"), this->OpenBefore);
+  }
+
+private:
+  static std::ptrdiff_t CountEntries(const std::string& folder)
+  {
+    return std::distance(
+      std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+  }
+
+  /** What has been killed is gone within a moment. */
+  static bool AllProcessesEnd()
+  {
+    for (int i = 0; i < 500; ++i)
+    {
+      const pid_t ended = waitpid(-1, nullptr, WNOHANG);
+      if (ended < 0)
+      {
+        return errno == ECHILD;
+      }
+      if (ended == 0)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    }
+    return false;
+  }
+
+  std::string Folder;
+  std::ptrdiff_t OpenBefore;
+};
+
+/** While it lives, no file can become longer: what writing to a full disk comes to. */
+class FileSizeLimit
+{
+public:
+  explicit FileSizeLimit(rlim_t bytes)
+  {
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &this->Before);
+    const rlimit limit = { bytes, this->Before.rlim_max };
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit()
+  {
+    setrlimit(RLIMIT_FSIZE, &this->Before);
+    signal(SIGXFSZ, SIG_DFL);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  void operator=(const FileSizeLimit&) = delete;
+
+private:
+  rlimit Before = {};
+};
+
+#endif

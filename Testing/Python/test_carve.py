@@ -4,6 +4,7 @@ import glob
 import gzip
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -297,13 +298,16 @@ class TestCarve(unittest.TestCase):
 
     def test_notices_a_full_disk(self):
         """No format is cut off in silence, nor a level of a multiblock, nor a stream."""
-        names = ["out_0" + extension for extension in (".vtp", ".ply", ".obj", ".stl")] + ["out/out_0.vtp", "s.vtu"]
-        os.mkdir(self.path("out"))
-        for name in names:
-            os.symlink("/dev/full", self.path(name))
-        for extension in (".vtp", ".ply", ".obj", ".stl", ".vtm"):
-            self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out")
-        self.expect_failure(self.run_carve(BONES, "--stream", "s.vtu"), 1, "s.vtu")
+        for extension in (".vtp", ".ply", ".obj", ".stl"):
+            os.symlink("/dev/full", self.path("out_0" + extension))
+            self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out_0" + extension)
+        os.symlink("/dev/full", self.path("full.vtu"))
+        self.expect_failure(self.run_carve(BONES, "--stream", "full.vtu"), 1, "full.vtu")
+        self.table(BONES, "--stream", "s.vtu")
+        run = subprocess.run(
+            [CARVE, "s.vtu", "-o", "out.vtm"], capture_output=True, text=True, cwd=self.folder, restore_signals=False,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
+        self.expect_failure(run, 1, "cannot write out.vtm")
 
     # Stored streams
 

@@ -44,18 +44,19 @@ bool WritePly(const std::string& fileName, vtkPolyData* level)
   {
     return false;
   }
-  std::ifstream file(fileName, std::ios::binary);
+  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
+  const vtkIdType size = static_cast<vtkIdType>(file.tellg());
+  file.seekg(0);
   vtkIdType floatsOfPoint = 0;
   std::string line;
-  while (std::getline(file, line) && line != "end_header")
+  while (size > 0 && std::getline(file, line) && line != "end_header")
   {
     floatsOfPoint += line.find("property float ") == 0;
   }
   constexpr vtkIdType sizeOfTriangle = 1 + 3 * 4;
   const vtkIdType expected = static_cast<vtkIdType>(file.tellg()) +
     4 * floatsOfPoint * level->GetNumberOfPoints() + sizeOfTriangle * level->GetNumberOfPolys();
-  file.seekg(0, std::ios::end);
-  return file && file.tellg() == expected;
+  return file && size == expected;
 }
 
 /** By way of memory, for the same reason. */

@@ -80,6 +80,47 @@ TriangleMesh Soup(int n, std::mt19937_64& random)
   return mesh;
 }
 
+TriangleMesh GridSoup(int n, std::mt19937_64& random)
+{
+  const auto below = [&](int end)
+  { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    const int axis = below(3);
+    Point corner;
+    for (double& x : corner)
+    {
+      x = below(4);
+    }
+    mesh.Points.insert(mesh.Points.end(), 3, corner);
+    mesh.Points[3 * i + 1][(axis + 1) % 3] += 1 + below(3);
+    mesh.Points[3 * i + 2][(axis + 2) % 3] += 1 + below(3);
+    const bool flipped = below(2) != 0;
+    mesh.Triangles.push_back({ 3 * i, 3 * i + 1 + flipped, 3 * i + 2 - flipped });
+  }
+  return mesh;
+}
+
+TriangleMesh BoxSoup(int n, std::mt19937_64& random)
+{
+  const auto below = [&](int end)
+  { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    Point lower, upper;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = below(4);
+      upper[axis] = lower[axis] + 1 + below(3);
+    }
+    const TriangleMesh box = Box(lower, upper);
+    mesh = Joined(mesh, below(4) == 0 ? Flipped(box) : box);
+  }
+  return mesh;
+}
+
 RandomModel MakeRandom(std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> unit;

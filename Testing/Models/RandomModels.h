@@ -18,6 +18,15 @@ using carving::TriangleMesh;
 /** `n` triangles with random corners in a cube: most of them cross others. */
 TriangleMesh Soup(int n, std::mt19937_64& random);
 
+/**
+ * `n` right triangles on planes of a grid, so small that many are coplanar and overlap, touch or coincide,
+ * in either orientation.
+ */
+TriangleMesh GridSoup(int n, std::mt19937_64& random);
+
+/** `n` boxes on a small grid: glued in sides, edges and corners, overlapped, nested, some inside out. */
+TriangleMesh BoxSoup(int n, std::mt19937_64& random);
+
 /** A random mesh and what is known about it. */
 struct RandomModel
 {

@@ -10,6 +10,7 @@
 #include "LevelOutput.h"
 #include "StoredStream.h"
 #include "StreamOutput.h"
+#include "StreamTopology.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
@@ -242,6 +243,7 @@ bool CarverSession<D>::Carve(const Leaf& leaf, Result& result)
   result.Stream.Folds =
     this->Settings.KeepBothFoldSides ? carving::FoldSides::Both : carving::FoldSides::One;
   result.Profile = carving::ComputeProfile(result.Stream);
+  carving::SetTopology(result.Profile, mesh, regions, stream);
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include "ArrayTools.h"
 #include "Manifold.h"
 #include "StreamOutput.h"
+#include "SurfaceTopology.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -32,6 +33,39 @@ void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes
   to->CopyAllOn();
   to->CopyAllocate(from, count);
   to->CopyData(from, ids, all);
+}
+
+/** Betti numbers of the closed complex, or what stands for unknown. */
+struct ClosedTopology
+{
+  int Components = -1;
+  int Genus = -1;
+  int Voids = -1;
+};
+
+void FillTopology(const ClosedTopology& closed, int dimension,
+  const carving::SurfaceTopology& surface, vtkFieldData* fieldData)
+{
+  AddFieldValue<vtkIntArray>(fieldData, "Components", closed.Components);
+  AddFieldValue<vtkIntArray>(fieldData, "Genus", closed.Genus);
+  AddFieldValue<vtkIntArray>(fieldData, "Voids", closed.Voids);
+  AddFieldValue<vtkIntArray>(fieldData, "SurfaceComponents", surface.Components);
+  if (dimension == 3)
+  {
+    AddFieldValue<vtkIntArray>(fieldData, "SurfaceGenus", surface.Genus);
+  }
+}
+
+/** Without a cut a surface need not be a manifold, which has a genus. */
+carving::SurfaceTopology MeasureLevel(const carving::ManifoldLevel<3>& level, bool manifold)
+{
+  return manifold ? carving::MeasureSurface(level)
+                  : carving::SurfaceTopology{ carving::CountSurfaceComponents(level), -1 };
+}
+
+carving::SurfaceTopology MeasureLevel(const carving::ManifoldLevel<2>& level, bool)
+{
+  return { carving::CountSurfaceComponents(level), -1 };
 }
 
 void FillFieldData(const carving::Profile& profile, int step, const char* kind, int newVertices,
@@ -114,6 +148,8 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
 
   FillFieldData(profile, step, "carved", newVertices, numberOfFaces, grid, output->GetFieldData());
+  FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, D,
+    MeasureLevel(cut, manifold), output->GetFieldData());
 }
 
 void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
@@ -159,6 +195,7 @@ void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& p
   FillFieldData(
     profile, profile.LastStep(), "input", 0, numberOfFaces, grid, output->GetFieldData());
   AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), "Vertices", numberOfPoints);
+  FillTopology({}, 3, { -1, -1 }, output->GetFieldData());
 }
 
 template void FillLevel<2>(const carving::StoredStream<2>&, const carving::Profile&,

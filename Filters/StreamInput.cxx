@@ -128,10 +128,16 @@ std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile)
   for (const auto& [name, length, values] :
     { std::make_tuple(StreamArrays::Measure, vtkIdType(1), &measure),
       std::make_tuple(StreamArrays::ProfileVertices, count, &profile.Vertices),
-      std::make_tuple(StreamArrays::ProfileTriangles, count, &profile.Triangles) })
+      std::make_tuple(StreamArrays::ProfileTriangles, count, &profile.Triangles),
+      std::make_tuple(StreamArrays::ProfileComponents, count, &profile.Components),
+      std::make_tuple(StreamArrays::ProfileGenus, count, &profile.Tunnels),
+      std::make_tuple(StreamArrays::ProfileVoids, count, &profile.Voids) })
   {
     mistake = mistake.empty() ? ReadArray(fieldData, name, length, *values) : mistake;
   }
+  mistake = mistake.empty()
+    ? ReadArray(fieldData, StreamArrays::ProfileVolume, count, profile.Volume)
+    : mistake;
   if (mistake.empty() && count == 0)
   {
     mistake = "its profile is empty.";

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
@@ -21,6 +22,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -255,6 +257,10 @@ void FillStream(const StoredStream<D>& stream, const carving::Profile& profile, 
     fieldData, StreamArrays::BothFoldSides, stream.Folds == carving::FoldSides::Both);
   AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVertices, profile.Vertices);
   AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileTriangles, profile.Triangles);
+  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileComponents, profile.Components);
+  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileGenus, profile.Tunnels);
+  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVoids, profile.Voids);
+  AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfileVolume, profile.Volume);
   AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfilePriority, profile.Priority);
 }
 
@@ -265,21 +271,15 @@ template void FillStream<3>(const StoredStream<3>&, const carving::Profile&, vtk
 
 void FillProfile(const carving::Profile& profile, vtkTable* output)
 {
-  const vtkIdType rows = static_cast<vtkIdType>(profile.Vertices.size());
-  auto step = MakeArray<vtkIntArray>("Step", rows);
-  auto vertices = MakeArray<vtkIntArray>("Vertices", rows);
-  auto triangles = MakeArray<vtkIntArray>("Triangles", rows);
-  auto priority = MakeArray<vtkDoubleArray>("Priority", rows);
-  for (vtkIdType i = 0; i < rows; ++i)
-  {
-    step->SetValue(i, static_cast<int>(i));
-    vertices->SetValue(i, profile.Vertices[i]);
-    triangles->SetValue(i, profile.Triangles[i]);
-    priority->SetValue(i, profile.Priority[i]);
-  }
-  for (vtkAbstractArray* column :
-    std::initializer_list<vtkAbstractArray*>{ step, vertices, triangles, priority })
-  {
-    output->AddColumn(column);
-  }
+  std::vector<int> steps(profile.Vertices.size());
+  std::iota(steps.begin(), steps.end(), 0);
+  vtkFieldData* columns = output->GetRowData();
+  AddFieldArray<vtkIntArray>(columns, "Step", steps);
+  AddFieldArray<vtkIntArray>(columns, "Vertices", profile.Vertices);
+  AddFieldArray<vtkIntArray>(columns, "Triangles", profile.Triangles);
+  AddFieldArray<vtkIntArray>(columns, "Components", profile.Components);
+  AddFieldArray<vtkIntArray>(columns, "Genus", profile.Tunnels);
+  AddFieldArray<vtkIntArray>(columns, "Voids", profile.Voids);
+  AddFieldArray<vtkDoubleArray>(columns, "Priority", profile.Priority);
+  AddFieldArray<vtkDoubleArray>(columns, "Volume", profile.Volume);
 }

@@ -34,6 +34,10 @@ constexpr const char* Rung = "Rung";
 constexpr const char* KeptDistance = "KeptDistance";
 constexpr const char* ProfileVertices = "ProfileVertices";
 constexpr const char* ProfileTriangles = "ProfileTriangles";
+constexpr const char* ProfileVolume = "ProfileVolume";
+constexpr const char* ProfileComponents = "ProfileComponents";
+constexpr const char* ProfileGenus = "ProfileGenus";
+constexpr const char* ProfileVoids = "ProfileVoids";
 constexpr const char* ProfilePriority = "ProfilePriority";
 } // namespace StreamArrays
 

@@ -26,7 +26,8 @@
  * the points made by that are new, and so are the corners of BOUNDING_BOX and the vertices of CUSTOM. The
  * box is a rectangle in the plane, along the two axes that are left.
  *
- * The arrays are those of vtkTopologyCarver; `Triangles` is the number of edges, the columns of
+ * The arrays are those of vtkTopologyCarver but for `SurfaceGenus`; `Triangles` is the number of edges,
+ * `Genus` that of holes in K_i, `Voids` is 0, `Volume` the area, the columns of
  * `SolidTurns` belong to an edge's two ends, and `Rung` says how the plane was triangulated.
  * vtkExtractCarvedLOD gives any level from the stream.
  *

@@ -36,7 +36,16 @@
  *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "Delaunay, enclosing"),
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
  *   from it, to 5 %), `FeatureSize` (the smallest priority popped up to this step, a length;
- *   infinite for C0).
+ *   infinite for C0); `Components`, `Genus` and `Voids` of the closed complex K_i, and
+ *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input".
+ *
+ * **Topology.** K_i is M with the solid and all tetrahedra that are not carved away until step i, a closed
+ * set. Its `Components` are what hangs together, be it by one point; its `Voids` are the hollows that it
+ * encloses; its `Genus` is its tunnels, the first Betti number: the loops in it that nothing fills, each
+ * independent of the others. Components and voids never get fewer; tunnels may merge. The surface is what
+ * cutting leaves (see ManifoldOutput): where pieces of K_i touch in points or edges only, it has more
+ * components and fewer handles, and each wall of a void is a component too. `SurfaceGenus` is the sum over
+ * its components; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md explains all of this.
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
  * `Priority` (when popped), `Depth`, `Step` (of a tetrahedron: it is missing from C_j for j >= Step;
@@ -45,14 +54,15 @@
  * if it is in front) and `SolidTurns` (of a triangle with solid on one side: for each corner the triangle
  * that a turn through the solid around the opposite edge comes to, counted from the first triangle),
  * `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
- * settings by the names of the properties, and the profile as `ProfileVertices`, `ProfileTriangles`,
- * `ProfilePriority`. vtkExtractCarvedLOD gives any level from it.
+ * settings by the names of the properties, and the profile by the names of its columns after "Profile":
+ * `ProfileVertices` and so on. vtkExtractCarvedLOD gives any level from it.
  *
  * In enclosing mode (see Conformity) M need not be a union of faces. The triangles of M in the stream and
  * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:
  * those of the solid, and those that M pierces, have `Step` -1 and `Priority` NaN.
  *
- * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Priority` (popped at that step).
+ * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Genus` and `Voids` of K_i,
+ * `Priority` (popped at that step), `Volume` (of K_i; never grows).
  *
  * The field data of port 0 has a string array `Notes` if there is something the user should know.
  *

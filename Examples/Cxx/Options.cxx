@@ -142,8 +142,9 @@ PROPERTY OPTIONS
 
 OUTPUT
     The table goes to standard output: level, step (how many carving steps were
-    taken), vertices, triangles; then the seconds that each stage took. Progress
-    is shown on standard error if that is a terminal.
+    taken), vertices, triangles, and of the closed space that the level bounds the
+    components (pieces), tunnels and voids (hollows); then the seconds that each
+    stage took. Progress is shown on standard error if that is a terminal.
 
 EXIT STATUS
     0   all went well

@@ -70,16 +70,24 @@ void EraseProgress()
   }
 }
 
+/** A number of a level; a dash where it is not known. */
+std::string GetNumber(vtkPolyData* level, const char* name)
+{
+  const double number = level->GetFieldData()->GetArray(name)->GetTuple1(0);
+  return number < 0.0 ? "-" : std::to_string(static_cast<long long>(number));
+}
+
 void PrintTable(vtkMultiBlockDataSet* levels, bool contours)
 {
-  std::printf("%5s %9s %10s %10s\n", "level", "step", "vertices", contours ? "edges" : "triangles");
+  std::printf("%5s %9s %10s %10s %10s %7s %6s\n", "level", "step", "vertices",
+    contours ? "edges" : "triangles", "components", contours ? "holes" : "tunnels", "voids");
   for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
   {
     auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
-    vtkDataArray* step = level->GetFieldData()->GetArray("Step");
-    std::printf("%5u %9.0f %10lld %10lld\n", i, step->GetTuple1(0),
-      static_cast<long long>(level->GetFieldData()->GetArray("Vertices")->GetTuple1(0)),
-      static_cast<long long>(level->GetNumberOfCells()));
+    std::printf("%5u %9s %10s %10s %10s %7s %6s\n", i, GetNumber(level, "Step").c_str(),
+      GetNumber(level, "Vertices").c_str(), GetNumber(level, "Triangles").c_str(),
+      GetNumber(level, "Components").c_str(), GetNumber(level, "Genus").c_str(),
+      GetNumber(level, "Voids").c_str());
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Size of every approximation of a stream.
+ * Size and topology of every approximation of a stream.
  */
 #ifndef carving_Profile_h
 #define carving_Profile_h
@@ -22,6 +22,12 @@ struct Profile
 {
   std::vector<int> Vertices;
   std::vector<int> Triangles;
+  /** Of the solid and the cells that are not carved, M's coordinates to the power of D; never grows. */
+  std::vector<double> Volume;
+  /** Betti numbers of the closed complex; SetTopology fills them. In a plane tunnels are holes. */
+  std::vector<int> Components;
+  std::vector<int> Tunnels;
+  std::vector<int> Voids;
   /** Of the tetrahedron popped at that step; NaN for C0. */
   std::vector<double> Priority;
   /** The smallest priority popped so far, as a length (PriorityAsLength); infinite for C0. */
@@ -33,7 +39,10 @@ struct Profile
   }
 };
 
-/** O(cells): sums up where each vertex and face appears and vanishes. */
+/**
+ * All but the topology. O(cells): sums up where each vertex and face appears and vanishes, and how much
+ * each step carves away.
+ */
 template <int D>
 Profile ComputeProfile(const StoredStream<D>& stream);
 

@@ -77,10 +77,11 @@ class TestCarve(unittest.TestCase):
             [CARVE, *arguments], capture_output=True, text=True, cwd=self.folder, env={**os.environ, **environment})
 
     def table(self, *arguments):
-        """The rows (level, step, vertices, triangles) that a run prints."""
+        """The rows (level, step, vertices, triangles, components, tunnels, voids) that a run prints."""
         run = self.run_carve(*arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
-        return [tuple(map(int, line.split())) for line in run.stdout.splitlines() if re.fullmatch(r"[\s\d]+", line)]
+        return [tuple(None if word == "-" else int(word) for word in line.split())
+                for line in run.stdout.splitlines() if re.fullmatch(r"[\s\d-]+", line)]
 
     def expect_failure(self, run, code, *words):
         self.assertEqual(run.returncode, code, run.stderr)
@@ -108,6 +109,8 @@ class TestCarve(unittest.TestCase):
         self.assertEqual([row[0] for row in rows], list(range(8)))
         self.assertEqual(rows[0][1:3], (0, 124))
         self.assertEqual(rows, sorted(rows))
+        self.assertEqual(rows[0][4:], (1, 0, 0))
+        self.assertEqual([row[4] for row in rows], sorted(row[4] for row in rows))
         output = self.run_carve(BONES).stdout
         for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "output"):
             self.assertRegex(output, rf"{stage} \d+\.\d\d\d")
@@ -187,7 +190,7 @@ class TestCarve(unittest.TestCase):
             names.append(name + ".gz")
         upper = self.path("CUBES.STL")
         shutil.copy(self.path("cubes.stl"), upper)
-        sizes = {name: [row[2:] for row in self.table(name)][-1] for name in names + [upper]}
+        sizes = {name: [row[2:4] for row in self.table(name)][-1] for name in names + [upper]}
         self.assertEqual(set(sizes.values()), {(16, 24)}, sizes)
 
     def test_reads_off(self):
@@ -195,7 +198,7 @@ class TestCarve(unittest.TestCase):
         with open(self.path("pyramid.off"), "w", encoding="ascii") as file:
             file.write("COFF 5 5 0 # counts\n# points\n0 0 0 255 0 0\n1 0 0 0 0 0\n\n1 1 0 1 1 1\n0 1 0 0 0 0\n"
                        ".5 .5 1e0 0 0 0\n4 3 2 1 0\n3 0 1 4 0.1 0.2 0.3\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
-        self.assertEqual(self.table("pyramid.off"), [(0, 0, 5, 6)])
+        self.assertEqual(self.table("pyramid.off"), [(0, 0, 5, 6, 1, 0, 0)])
 
     # What it writes
 
@@ -354,7 +357,7 @@ class TestCarve(unittest.TestCase):
         contour.SetLines(lines)
         self.write(vtkXMLPolyDataWriter, "u.vtp", contour)
         rows = self.table("u.vtp", "--contours", "-o", "levels.vtm")
-        self.assertEqual((rows[0][2:], rows[-1][2:]), ((6, 6), (8, 8)))
+        self.assertEqual((rows[0][2:], rows[-1][2:]), ((6, 6, 1, 0, 0), (8, 8, 1, 0, 0)))
         self.assertEqual(read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetNumberOfBlocks(), len(rows))
         self.assertIn("--contours", self.run_carve("u.vtp").stderr)
         self.assertEqual(self.run_carve("u.vtp", "--contours", "-o", "levels.stl").returncode, 2)
@@ -370,7 +373,7 @@ class TestCarve(unittest.TestCase):
             writer.SetInputConnection(triangulate.GetOutputPort())
             writer.SetFileName(self.path(name))
             writer.Write()
-        self.assertEqual(self.table(BONES, "--initial-mesh", "big.ply")[0], (0, 0, 8, 12))
+        self.assertEqual(self.table(BONES, "--initial-mesh", "big.ply")[0], (0, 0, 8, 12, 1, 0, 0))
         self.expect_failure(self.run_carve(BONES, "--initial-mesh", "small.ply"), 1, "does not contain")
         self.expect_failure(self.run_carve(BONES, "--initial-approximation", "custom"), 2, "--initial-mesh")
 

@@ -2,9 +2,10 @@
 #include "PropertyChecks.h"
 
 #include "Checks.h"
-#include "Components.h"
+#include "Homology.h"
 #include "LevelSelection.h"
 #include "ManifoldCheck.h"
+#include "StreamTopology.h"
 #include "Vector.h"
 #include "Winding.h"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 using namespace carving;
 
@@ -178,6 +180,7 @@ Carved CarveResult(const Tetrahedralization& mesh, const CarveOptions& options, 
   Carve(carved.Mesh, carved.Regions, options, carved.Stream);
   carved.Stored = Store(carved.Mesh, carved.Regions, carved.Stream);
   carved.Profile = ComputeProfile(carved.Stored);
+  SetTopology(carved.Profile, carved.Mesh, carved.Regions, carved.Stream);
   return carved;
 }
 
@@ -200,6 +203,17 @@ void ExpectSolidByWinding(
   }
 }
 
+void ExpectTopology(const Carved& carved, int step)
+{
+  const auto expected =
+    homology::ComputeBettiNumbers(homology::ClosedComplex(carved.Mesh, carved.Stream, step));
+  const Profile& profile = carved.Profile;
+  EXPECT_EQ((homology::BettiNumbers{
+              profile.Components[step], profile.Tunnels[step], profile.Voids[step], 0 }),
+    expected)
+    << "step " << step;
+}
+
 void ExpectProperties(
   const TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples)
 {
@@ -207,9 +221,8 @@ void ExpectProperties(
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
   const std::set<Point> givenPoints(given.Points.begin(), given.Points.end());
   const std::vector<int> steps = SpreadLevels(carved.Profile, numberOfLevels);
-  const std::vector<int> componentsOfSteps = CountComponents(carved.Mesh, carved.Stream);
   double volume = HUGE_VAL, hullVolume = 0.0;
-  int components = 0, inputVertices = 0;
+  int inputVertices = 0;
   Level<3> coarser;
   for (const int step : steps)
   {
@@ -223,9 +236,7 @@ void ExpectProperties(
     hullVolume = std::max(hullVolume, newVolume);
     EXPECT_LE(newVolume, volume + 1e-12 * hullVolume);
     volume = newVolume;
-    const int newComponents = componentsOfSteps[step];
-    EXPECT_GE(newComponents, components);
-    components = newComponents;
+    EXPECT_NEAR(6.0 * carved.Profile.Volume[step], newVolume, 1e-10 * hullVolume);
 
     int newInputVertices = 0, allVertices = 0;
     const std::vector<char> used = UsedPoints(carved, level);
@@ -254,4 +265,8 @@ void ExpectProperties(
     coarser = level;
   }
   ExpectInput(carved, coarser);
+  const auto& [components, voids] = std::tie(carved.Profile.Components, carved.Profile.Voids);
+  EXPECT_TRUE(std::is_sorted(components.begin(), components.end()));
+  EXPECT_TRUE(std::is_sorted(voids.begin(), voids.end()));
+  ExpectTopology(carved, static_cast<int>(random() % components.size()));
 }

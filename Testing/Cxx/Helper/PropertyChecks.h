@@ -27,7 +27,10 @@ Carved CarveResult(const carving::Tetrahedralization& mesh,
   const carving::CarveOptions& options = {},
   carving::SolidRule rule = carving::SolidRule::NonzeroWinding);
 
-/** Properties 1 to 5, on some steps of the stream. */
+/** The profile has the Betti numbers that the ranks of boundary matrices give (property 6). */
+void ExpectTopology(const Carved& carved, int step);
+
+/** Properties 1 to 5, on some steps of the stream, and property 6 on one of all, drawn at random. */
 void ExpectProperties(
   const carving::TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples);
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What the profile costs, next to the carving of the same tetrahedra: of trees of about 150,000 and
+ * 1,500,000 of them in the hull.
+ */
+#include "Carver.h"
+#include "Figures.h"
+#include "HelperRun.h"
+#include "Profile.h"
+#include "StoredStream.h"
+#include "StreamTopology.h"
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <stdexcept>
+
+using namespace carving;
+
+namespace
+{
+
+struct Carving
+{
+  Tetrahedralization Mesh;
+  Classification Regions;
+  Stream Order;
+  StoredStream<3> Stored;
+};
+
+const Carving& GetCarving(int leaves)
+{
+  static std::map<int, Carving> made;
+  const auto [found, isNew] = made.try_emplace(leaves);
+  Carving& carving = found->second;
+  if (isNew)
+  {
+    const HelperRun run = RunHelper(models::Tree(leaves));
+    if (!run.Succeeded())
+    {
+      throw std::runtime_error("carving-helper: " + run.Mistake + run.Reply.Error);
+    }
+    carving.Mesh = run.Reply.Result;
+    carving.Regions = Classify(carving.Mesh);
+    Carve(carving.Mesh, carving.Regions, {}, carving.Order);
+    carving.Stored = Store(carving.Mesh, carving.Regions, carving.Order);
+  }
+  return carving;
+}
+
+void CarveTree(benchmark::State& state)
+{
+  const Carving& carving = GetCarving(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    Stream stream;
+    Carve(carving.Mesh, carving.Regions, {}, stream);
+    benchmark::DoNotOptimize(stream);
+  }
+  state.counters["cells"] = static_cast<double>(carving.Mesh.Cells.size());
+}
+
+/** Vertices, triangles, volume and priorities of every step. */
+void ProfileSizes(benchmark::State& state)
+{
+  const Carving& carving = GetCarving(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(ComputeProfile(carving.Stored));
+  }
+}
+
+/** Components, tunnels and voids of every step. */
+void ProfileTopology(benchmark::State& state)
+{
+  const Carving& carving = GetCarving(static_cast<int>(state.range(0)));
+  for (auto _ : state)
+  {
+    Profile profile;
+    SetTopology(profile, carving.Mesh, carving.Regions, carving.Order);
+    benchmark::DoNotOptimize(profile);
+  }
+}
+
+} // namespace
+
+BENCHMARK(CarveTree)->Arg(4800)->Arg(48000)->Unit(benchmark::kMillisecond);
+BENCHMARK(ProfileSizes)->Arg(4800)->Arg(48000)->Unit(benchmark::kMillisecond);
+BENCHMARK(ProfileTopology)->Arg(4800)->Arg(48000)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();

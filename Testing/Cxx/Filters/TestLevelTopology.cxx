@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What levels, the profile and the stored stream say about components, tunnels and voids.
+ */
+#include "FilterTesting.h"
+
+#include "vtkDataArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+constexpr const char* Names[] = { "Components", "Genus", "Voids", "SurfaceComponents",
+  "SurfaceGenus" };
+using Numbers = std::array<int, 5>;
+
+Numbers GetTopology(vtkPolyData* level)
+{
+  Numbers numbers;
+  for (int i = 0; i < 5; ++i)
+  {
+    vtkDataArray* array = level->GetFieldData()->GetArray(Names[i]);
+    numbers[i] = array ? static_cast<int>(array->GetTuple1(0)) : -99;
+  }
+  return numbers;
+}
+
+Numbers GetLastTopology(const carving::TriangleMesh& mesh)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(mesh));
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  return GetTopology(GetLevel(carver, 0));
+}
+
+carving::TriangleMesh Box(double x, double y, double size = 1.0)
+{
+  return models::Box({ x, y, 0.0 }, { x + size, y + size, size });
+}
+
+} // namespace
+
+// The first level is one piece; two boxes end as two, a torus with its tunnel, a shell with its void,
+// whose wall is a component of the surface.
+TEST(LevelTopology, CountsPiecesTunnelsAndVoids)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  EXPECT_EQ(GetTopology(GetLevel(carver, 0)), (Numbers{ 1, 0, 0, 1, 0 }));
+  EXPECT_EQ(GetTopology(GetLevel(carver, 1)), (Numbers{ 2, 0, 0, 2, 0 }));
+  EXPECT_EQ(GetLastTopology(models::Torus(1.0, 0.3, 12, 8)), (Numbers{ 1, 1, 0, 1, 1 }));
+  const auto hollow = models::Flipped(models::Moved(models::Sphere(1), { 0, 0, 0 }, 0.5));
+  EXPECT_EQ(GetLastTopology(models::Joined(models::Sphere(1), hollow)), (Numbers{ 1, 0, 1, 2, 0 }));
+}
+
+// Boxes in a row that touch in edges are one closed set, and four around a gap have a tunnel; their
+// surfaces are apart.
+TEST(LevelTopology, TellsTouchingFromJoined)
+{
+  const auto row = models::Joined(Box(0, 0), Box(1, 1));
+  EXPECT_EQ(GetLastTopology(row), (Numbers{ 1, 0, 0, 2, 0 }));
+  const auto ring =
+    models::Joined(models::Joined(Box(0, 1), Box(1, 0)), models::Joined(Box(1, 2), Box(2, 1)));
+  EXPECT_EQ(GetLastTopology(ring), (Numbers{ 1, 1, 0, 4, 0 }));
+}
+
+// An open surface has no genus, nor has one that has not been cut; components they have.
+TEST(LevelTopology, HasNoGenusWhereOpenOrUncut)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(models::Joined(models::Sheet(3), Box(0, 0.25, 0.5))));
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  EXPECT_EQ(GetTopology(GetLevel(carver, 0))[4], -1);
+  carver->SetInputData(ToPolyData(models::Joined(Box(0, 0), Box(1, 1))));
+  carver->ManifoldOutputOff();
+  carver->Update();
+  EXPECT_EQ(GetTopology(GetLevel(carver, 0)), (Numbers{ 1, 0, 0, 1, -1 }));
+}
+
+// Levels have the numbers of their row of the profile, from the carver as from the stored stream.
+TEST(LevelTopology, AgreesWithTheProfile)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("elephant.off"));
+  carver->Update();
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputDataObject(carver->GetOutputDataObject(1));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  double volume = HUGE_VAL;
+  for (int i = 0; i < 8; ++i)
+  {
+    vtkPolyData* level = GetLevel(carver, i);
+    const int step = GetLevelStep(carver, i);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_EQ(profile->GetValueByName(step, Names[k]).ToInt(), GetTopology(level)[k]);
+    }
+    extract->SetLevelTarget(step);
+    extract->Update();
+    EXPECT_EQ(GetTopology(extract->GetOutput()), GetTopology(level));
+    EXPECT_LT(profile->GetValueByName(step, "Volume").ToDouble(), volume);
+    volume = profile->GetValueByName(step, "Volume").ToDouble();
+  }
+  EXPECT_EQ(GetTopology(GetLevel(carver, 7)), (Numbers{ 1, 3, 0, 1, 3 }));
+}
+
+// A mesh that follows its enclosing levels has numbers that say that they are not known.
+TEST(LevelTopology, IsUnknownOfAnAppendedInput)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(models::Joined(Box(0, 0), Box(0.5, 0.5))));
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->AppendInputOn();
+  carver->SetNumberOfLevels(1);
+  carver->Update();
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(GetTopology(GetLevel(carver, 1)), (Numbers{ -1, -1, -1, -1, -1 }));
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The profile's components, tunnels and voids, on models and real meshes and in the plane. Random meshes
+ * are among those of the properties.
+ */
+#include "Figures.h"
+#include "HelperRun.h"
+#include "Homology.h"
+#include "LevelSelection.h"
+#include "OffReader.h"
+#include "PropertyChecks.h"
+#include "Shapes.h"
+#include "StreamTopology.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace carving;
+
+namespace
+{
+
+/** Ten steps, those of ten levels. */
+Profile ExpectTopologyOfTenSteps(const TriangleMesh& mesh)
+{
+  const HelperRun run = RunHelper(mesh);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Carved carved = CarveResult(run.Reply.Result);
+  const std::vector<int> steps = SpreadLevels(carved.Profile, 10);
+  EXPECT_EQ(steps.size(), 10u);
+  for (const int step : steps)
+  {
+    ExpectTopology(carved, step);
+  }
+  return carved.Profile;
+}
+
+TriangleMesh ReadReal(const std::string& name)
+{
+  OffMesh off;
+  EXPECT_EQ(ReadOff(TOPOLOGYCARVING_MESHES "/" + name, off), "");
+  TriangleMesh mesh = { off.Points, {} };
+  for (const std::vector<int>& face : off.Faces)
+  {
+    mesh.Triangles.push_back({ face.at(0), face.at(1), face.at(2) });
+  }
+  return mesh;
+}
+
+/** Spheres of these radii around one center, solid and hollow by turns from the outside. */
+TriangleMesh NestedShells(const std::vector<double>& radii)
+{
+  TriangleMesh mesh;
+  bool solid = true;
+  for (const double radius : radii)
+  {
+    const TriangleMesh sphere = models::Moved(models::Sphere(2), { 0, 0, 0 }, radius);
+    mesh = models::Joined(mesh, solid ? sphere : models::Flipped(sphere));
+    solid = !solid;
+  }
+  return mesh;
+}
+
+} // namespace
+
+// Cheese ends as one piece with its 133 tunnels.
+TEST(Topology, OfCheese)
+{
+  const Profile profile = ExpectTopologyOfTenSteps(ReadReal("cheese.off"));
+  EXPECT_EQ(profile.Components.back(), 1);
+  EXPECT_EQ(profile.Tunnels.back(), 133);
+  EXPECT_EQ(profile.Voids.back(), 0);
+}
+
+// Bones, which cross each other in places, have the Betti numbers of boundary matrices at ten steps.
+TEST(Topology, OfBones)
+{
+  ExpectTopologyOfTenSteps(ReadReal("bones.off"));
+}
+
+// Eight spheres end apart.
+TEST(Topology, OfEightSpheres)
+{
+  const Profile profile = ExpectTopologyOfTenSteps(models::EightSpheres());
+  EXPECT_EQ(profile.Components.back(), 8);
+  EXPECT_EQ(profile.Tunnels.back(), 0);
+  EXPECT_EQ(profile.Voids.back(), 0);
+}
+
+// Two shells, one in the other, and a ball in both: three pieces, around two voids.
+TEST(Topology, OfNestedShells)
+{
+  const Profile profile = ExpectTopologyOfTenSteps(NestedShells({ 3.0, 2.6, 2.2, 1.8, 1.0 }));
+  EXPECT_EQ(profile.Components.back(), 3);
+  EXPECT_EQ(profile.Tunnels.back(), 0);
+  EXPECT_EQ(profile.Voids.back(), 2);
+}
+
+// In a plane tunnels are the holes of the region: two rings, one in the other, and a disk in both.
+TEST(Topology, OfContoursCountsHoles)
+{
+  Job job;
+  job.Kind = JobKind::Triangulate;
+  int sign = 1;
+  for (const double radius : { 3.0, 2.6, 2.2, 1.8, 1.0 })
+  {
+    const int first = static_cast<int>(job.Contours.Points.size()), count = 24;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = sign * 2.0 * M_PI * i / count;
+      job.Contours.Points.push_back({ radius * std::cos(angle), radius * std::sin(angle), 0.0 });
+      job.Contours.Edges.push_back({ first + i, first + (i + 1) % count });
+    }
+    sign = -sign;
+  }
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Decomposition<2>& mesh = run.Reply.Plane;
+  const Classification regions = Classify(mesh);
+  Stream stream;
+  Carve(mesh, regions, {}, stream);
+  Profile profile;
+  SetTopology(profile, mesh, regions, stream);
+  for (int step = 0; step <= stream.LastStep(); ++step)
+  {
+    EXPECT_EQ((homology::BettiNumbers{
+                profile.Components[step], profile.Tunnels[step], profile.Voids[step], 0 }),
+      homology::ComputeBettiNumbers(homology::ClosedComplex(mesh, stream, step)));
+  }
+  EXPECT_EQ(profile.Components.back(), 3);
+  EXPECT_EQ(profile.Tunnels.back(), 2);
+}

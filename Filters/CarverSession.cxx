@@ -9,6 +9,7 @@
 #include "InitialDistance.h"
 #include "LevelOutput.h"
 #include "StoredStream.h"
+#include "StreamError.h"
 #include "StreamOutput.h"
 #include "StreamTopology.h"
 #include "vtkAlgorithm.h"
@@ -80,11 +81,11 @@ bool SameForHelper(const CarverSettings& a, const CarverSettings& b)
     a.MemoryLimit == b.MemoryLimit;
 }
 
-constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "output" };
+constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "measure", "output" };
 
 /** At which fraction of an update each stage begins; typical for a mesh of medium size. */
-constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.93,
-  1.0 };
+constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.9,
+  0.93, 1.0 };
 
 } // namespace
 
@@ -248,6 +249,23 @@ bool CarverSession<D>::Carve(const Leaf& leaf, Result& result)
 }
 
 template <int D>
+bool CarverSession<D>::Measure(const Leaf& leaf, Result& result)
+{
+  if (!this->Settings.ComputeError &&
+    (this->Settings.LevelTargets.empty() ||
+      this->Settings.TargetType != carving::LevelTarget::ErrorBound))
+  {
+    return true;
+  }
+  const Timer timer(*this, MeasureStage);
+  const carving::ResolvedInput<D>& unresolved = Kind<D>::GetResult(leaf.Reply).Unresolved;
+  const bool conforming = unresolved.Facets.empty();
+  return carving::ComputeErrors(result.Stream, conforming ? result.Stream.Mesh.Surface : unresolved,
+    conforming, result.Profile.Error,
+    [this](double fraction) { return this->Report(MeasureStage, fraction); });
+}
+
+template <int D>
 std::vector<int> CarverSession<D>::SelectLevels(const carving::Profile& profile)
 {
   if (this->Settings.LevelTargets.empty())
@@ -285,7 +303,7 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     return true;
   }
   Result result;
-  if (!this->Carve(*leaf, result))
+  if (!this->Carve(*leaf, result) || !this->Measure(*leaf, result))
   {
     return false;
   }

@@ -34,6 +34,7 @@ enum CarverStage
   TransferStage = carving::NumberOfStages,
   ClassifyStage,
   CarveStage,
+  MeasureStage,
   OutputStage,
   NumberOfCarverStages
 };
@@ -88,6 +89,8 @@ private:
   std::shared_ptr<Leaf> Decompose(vtkPolyData* input);
   bool RunHelper(Leaf& leaf, std::string& error);
   bool Carve(const Leaf& leaf, Result& result);
+  /** Fills the profile's errors if they are needed. */
+  bool Measure(const Leaf& leaf, Result& result);
   std::vector<int> SelectLevels(const carving::Profile& profile);
   bool Report(int stage, double fraction);
 

@@ -25,6 +25,7 @@ struct CarverSettings
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
   carving::CarveOptions Carve;
   bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy
+  bool ComputeError = false;    ///< without that a target asks for it
   int NumberOfLevels = 8;
   std::vector<double> LevelTargets; ///< replace NumberOfLevels if there are any
   carving::LevelTarget TargetType = carving::LevelTarget::Vertices;

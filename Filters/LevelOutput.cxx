@@ -84,6 +84,8 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
     }
   }
   AddFieldValue<vtkDoubleArray>(fieldData, "FeatureSize", profile.FeatureSize[step]);
+  AddFieldValue<vtkDoubleArray>(fieldData, "Error",
+    profile.Error.empty() ? std::numeric_limits<double>::quiet_NaN() : profile.Error[step]);
 }
 
 } // namespace
@@ -195,6 +197,10 @@ void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& p
   FillFieldData(
     profile, profile.LastStep(), "input", 0, numberOfFaces, grid, output->GetFieldData());
   AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), "Vertices", numberOfPoints);
+  if (!profile.Error.empty())
+  {
+    AddFieldValue<vtkDoubleArray>(output->GetFieldData(), "Error", 0.0);
+  }
   FillTopology({}, 3, { -1, -1 }, output->GetFieldData());
 }
 

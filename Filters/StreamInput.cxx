@@ -135,9 +135,13 @@ std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile)
   {
     mistake = mistake.empty() ? ReadArray(fieldData, name, length, *values) : mistake;
   }
-  mistake = mistake.empty()
-    ? ReadArray(fieldData, StreamArrays::ProfileVolume, count, profile.Volume)
-    : mistake;
+  for (const auto& [name, wanted, values] :
+    { std::make_tuple(StreamArrays::ProfileVolume, true, &profile.Volume),
+      std::make_tuple(StreamArrays::ProfileError,
+        fieldData->HasArray(StreamArrays::ProfileError) != 0, &profile.Error) })
+  {
+    mistake = mistake.empty() && wanted ? ReadArray(fieldData, name, count, *values) : mistake;
+  }
   if (mistake.empty() && count == 0)
   {
     mistake = "its profile is empty.";

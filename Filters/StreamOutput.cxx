@@ -262,6 +262,10 @@ void FillStream(const StoredStream<D>& stream, const carving::Profile& profile, 
   AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVoids, profile.Voids);
   AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfileVolume, profile.Volume);
   AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfilePriority, profile.Priority);
+  if (!profile.Error.empty())
+  {
+    AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfileError, profile.Error);
+  }
 }
 
 template void FillStream<2>(const StoredStream<2>&, const carving::Profile&, vtkPolyData*,
@@ -282,4 +286,6 @@ void FillProfile(const carving::Profile& profile, vtkTable* output)
   AddFieldArray<vtkIntArray>(columns, "Voids", profile.Voids);
   AddFieldArray<vtkDoubleArray>(columns, "Priority", profile.Priority);
   AddFieldArray<vtkDoubleArray>(columns, "Volume", profile.Volume);
+  AddFieldArray<vtkDoubleArray>(columns, "Error",
+    profile.Error.empty() ? std::vector<double>(profile.Vertices.size(), NaN) : profile.Error);
 }

@@ -34,6 +34,7 @@ constexpr const char* Rung = "Rung";
 constexpr const char* KeptDistance = "KeptDistance";
 constexpr const char* ProfileVertices = "ProfileVertices";
 constexpr const char* ProfileTriangles = "ProfileTriangles";
+constexpr const char* ProfileError = "ProfileError"; ///< only if it has been computed
 constexpr const char* ProfileVolume = "ProfileVolume";
 constexpr const char* ProfileComponents = "ProfileComponents";
 constexpr const char* ProfileGenus = "ProfileGenus";

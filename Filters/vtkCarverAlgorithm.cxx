@@ -39,17 +39,6 @@ vtkCarverAlgorithm::~vtkCarverAlgorithm()
 vtkCxxSetObjectMacro(vtkCarverAlgorithm, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetLevelTargetType(int type)
-{
-  const int known = static_cast<int>(carving::ToLevelTarget(type));
-  if (this->LevelTargetType != known)
-  {
-    this->LevelTargetType = known;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkCarverAlgorithm::AddLevelTarget(double target)
 {
   this->Targets.push_back(target);
@@ -147,6 +136,7 @@ int vtkCarverAlgorithm::RequestData(
   settings.Carve.CarveExposed = this->CarveExposed;
   settings.Carve.CarveVoids = this->CarveVoids;
   settings.DepthIsDistance = this->DepthMeasure == DISTANCE;
+  settings.ComputeError = this->ComputeError;
   settings.NumberOfLevels = this->NumberOfLevels;
   settings.LevelTargets = this->Targets;
   settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
@@ -211,6 +201,7 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "KeepBothFoldSides: " << (this->KeepBothFoldSides ? "On" : "Off") << "\n";
   os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
+  os << indent << "ComputeError: " << (this->ComputeError ? "On" : "Off") << "\n";
   os << indent << "LevelTargetType: "
      << carving::LevelTargetName(static_cast<carving::LevelTarget>(this->LevelTargetType)) << "\n";
   os << indent << "LevelTargets:";

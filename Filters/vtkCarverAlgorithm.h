@@ -65,12 +65,15 @@ public:
     AUTO = 2
   };
 
-  /** What a level target counts. */
+  /** What a level target counts or measures. */
   enum LevelTargets
   {
     VERTICES = 0,
     TRIANGLES = 1,
     FEATURE_SIZE = 2,
+    GENUS = 3,
+    COMPONENTS = 4,
+    ERROR_BOUND = 5,
     STEP = 6
   };
 
@@ -259,17 +262,32 @@ public:
 
   ///@{
   /**
-   * What the level targets are: numbers of VERTICES (default) or TRIANGLES of a level, a FEATURE_SIZE,
-   * or a STEP. Other values up to STEP are reserved; they are set to the nearest known one below.
+   * Whether the distance of every step from M is computed: the `Error` of a level, of a row of the
+   * profile and in the stream, in world units. It is the one-sided Hausdorff distance, of the point of
+   * that step's surface that is farthest from M; never too small, and at most a hundredth too large. It
+   * takes about as long as carving several times. Default off: `Error` is NaN.
    */
-  void SetLevelTargetType(int type);
+  vtkSetMacro(ComputeError, bool);
+  vtkGetMacro(ComputeError, bool);
+  vtkBooleanMacro(ComputeError, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What the level targets are: numbers of VERTICES (default) or TRIANGLES of a level, a FEATURE_SIZE,
+   * numbers of tunnels (GENUS) or COMPONENTS, an ERROR_BOUND or a STEP.
+   */
+  vtkSetClampMacro(LevelTargetType, int, VERTICES, STEP);
   vtkGetMacro(LevelTargetType, int);
   ///@}
 
   ///@{
   /**
-   * Levels by size, one for each target. VERTICES or TRIANGLES n: the last step such that it and all
-   * steps before it have at most n; a target below C0's own count gives C0 and a warning. FEATURE_SIZE
+   * Levels by size, one for each target. VERTICES, TRIANGLES, GENUS or COMPONENTS n: the last step such
+   * that it and all steps before it have at most n (tunnels may get more and then fewer again); a target
+   * below C0's own count gives C0 and a warning. ERROR_BOUND e, a length: the first step such that no
+   * point of it or of any step after it is farther than e from M (see ComputeError, which is then taken
+   * to be on); where no step is as close, the last and a warning. FEATURE_SIZE
    * s, a length: the last step before a priority of at most s is popped (for VOLUME its cube root, for
    * CIRCUMRADIUS twice it), so that gaps wider than about s are open and narrower ones closed; strict
    * only with DepthExponent and BreadthRadius 0 and CarveExposed off. STEP k: that step, or the nearest
@@ -333,6 +351,7 @@ protected:
   int NumberOfLevels = 8;
   bool KeepBothFoldSides = false;
   bool ManifoldOutput = true;
+  bool ComputeError = false;
   int LevelTargetType = VERTICES;
   std::vector<double> Targets;
 

@@ -94,17 +94,6 @@ vtkExtractCarvedLOD::vtkExtractCarvedLOD()
 vtkExtractCarvedLOD::~vtkExtractCarvedLOD() = default;
 
 //------------------------------------------------------------------------------
-void vtkExtractCarvedLOD::SetLevelTargetType(int type)
-{
-  const int known = static_cast<int>(carving::ToLevelTarget(type));
-  if (this->LevelTargetType != known)
-  {
-    this->LevelTargetType = known;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
@@ -176,7 +165,8 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
     carving::Profile profile;
     if (ReadProfile(grid, profile).empty())
     {
-      const auto [least, greatest] = carving::GetTargetRange(profile, carving::ToLevelTarget(type));
+      const auto [least, greatest] =
+        carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type));
       range[0] = found ? std::min(range[0], least) : least;
       range[1] = found ? std::max(range[1], greatest) : greatest;
       found = true;
@@ -265,7 +255,7 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
   else
   {
     selected = carving::SelectStep(
-      stream.Profile, carving::ToLevelTarget(this->LevelTargetType), this->LevelTarget);
+      stream.Profile, static_cast<carving::LevelTarget>(this->LevelTargetType), this->LevelTarget);
   }
   if (!selected.Problem.empty())
   {

@@ -39,22 +39,26 @@ public:
     VERTICES = 0,
     TRIANGLES = 1,
     FEATURE_SIZE = 2,
+    GENUS = 3,
+    COMPONENTS = 4,
+    ERROR_BOUND = 5,
     STEP = 6
   };
 
   ///@{
   /**
-   * What the target is: VERTICES (default), TRIANGLES, FEATURE_SIZE or STEP, each as in
-   * vtkTopologyCarver. Other values up to STEP are reserved; they are set to the nearest known one
-   * below.
+   * What the target is: VERTICES (default), TRIANGLES, FEATURE_SIZE, GENUS, COMPONENTS, ERROR_BOUND or
+   * STEP, each as in vtkTopologyCarver. ERROR_BOUND is for streams that were carved with ComputeError
+   * on, or by such targets; of others it gives the last level and a warning.
    */
-  void SetLevelTargetType(int type);
+  vtkSetClampMacro(LevelTargetType, int, VERTICES, STEP);
   vtkGetMacro(LevelTargetType, int);
   ///@}
 
   ///@{
   /**
-   * The number of vertices or triangles, the length or the step that picks the level, 0 or more. A
+   * The number of vertices, triangles, tunnels or components, the length or the step that picks the level,
+   * 0 or more. A
    * target that cannot be met gives the nearest level and a warning. Default 1000.
    */
   vtkSetClampMacro(LevelTarget, double, 0.0, VTK_DOUBLE_MAX);

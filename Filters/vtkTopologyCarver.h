@@ -37,7 +37,8 @@
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
  *   from it, to 5 %), `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0); `Components`, `Genus` and `Voids` of the closed complex K_i, and
- *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input".
+ *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input"; `Error`, how
+ *   far it is from M at most, NaN where that has not been asked for (see ComputeError).
  *
  * **Topology.** K_i is M with the solid and all tetrahedra that are not carved away until step i, a closed
  * set. Its `Components` are what hangs together, be it by one point; its `Voids` are the hollows that it
@@ -55,14 +56,14 @@
  * that a turn through the solid around the opposite edge comes to, counted from the first triangle),
  * `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
  * settings by the names of the properties, and the profile by the names of its columns after "Profile":
- * `ProfileVertices` and so on. vtkExtractCarvedLOD gives any level from it.
+ * `ProfileVertices` and so on (`ProfileError` only if it has been asked for). vtkExtractCarvedLOD gives any level from it.
  *
  * In enclosing mode (see Conformity) M need not be a union of faces. The triangles of M in the stream and
  * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:
  * those of the solid, and those that M pierces, have `Step` -1 and `Priority` NaN.
  *
  * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Genus` and `Voids` of K_i,
- * `Priority` (popped at that step), `Volume` (of K_i; never grows).
+ * `Priority` (popped at that step), `Volume` (of K_i; never grows), `Error` (NaN unless asked for).
  *
  * The field data of port 0 has a string array `Notes` if there is something the user should know.
  *

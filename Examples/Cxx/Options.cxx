@@ -15,8 +15,10 @@ const char* const HelpText = R"(NAME
     carve - simplify the topology of a mesh by carving it out of its convex hull
 
 SYNOPSIS
-    carve INPUT [-o OUTPUT] [--stream OUT.vtu] [LEVELS] [PROPERTY OPTIONS]
-    carve STREAM.vtu [-o OUTPUT] [LEVELS] [--manifold-output on|off]
+    carve INPUT [-o OUTPUT] [--stream OUT.vtu] [--profile FILE] [LEVELS]
+          [PROPERTY OPTIONS]
+    carve STREAM.vtu [-o OUTPUT] [--profile FILE] [LEVELS]
+          [--manifold-output on|off]
     carve --help | --version
 
 DESCRIPTION
@@ -52,6 +54,11 @@ OPTIONS
         Write the whole carving: tetrahedra and triangles with the steps at which
         they vanish and appear.
 
+    --profile FILE
+        Write vertices, triangles, components, tunnels, voids and more of every step:
+        as a table if the name ends in .csv, as a chart over vertices if it ends in
+        .png, for which an X display is needed (or xvfb-run).
+
 LEVELS
     --levels N
         Number of levels, spread so that their vertex counts grow geometrically.
@@ -64,6 +71,15 @@ LEVELS
 
     --feature-size X,X,...
         A level for each length: gaps wider than about that are open.
+
+    --genus N,N,...
+    --components N,N,...
+        A level for each number: the last one that has at most that many tunnels or
+        pieces, as have all before it.
+
+    --error-bound X,X,...
+        A level for each length: the first one such that no point of it, or of any
+        after it, is farther than that from the mesh.
 
     --step N,N,...
         A level for each step of the carving.
@@ -132,6 +148,11 @@ PROPERTY OPTIONS
         The most that one attempt at a tetrahedralization may take. Default: 0, no
         limit that you would notice.
 
+    --compute-error on|off
+        Whether the distance of every level from the mesh is computed, for the stream
+        and the profile: of the farthest point, never too small and at most 1 % too
+        large. It takes longer than carving. Default: off, but for --error-bound.
+
     --keep-both-fold-sides on|off
         Whether a sheet without solid on either side shows with both of its sides.
         Default: off. (Section 3.3)
@@ -162,6 +183,7 @@ EXAMPLES
     carve scan.ply.gz -o proxy.stl --triangles 500,5000
     carve scan.ply.gz --stream scan.vtu
     carve scan.vtu --vertices 1000 -o scan_1000.vtp
+    carve scan.ply.gz --genus 0,2 -o few_tunnels.vtm --profile scan.png
 )";
 
 namespace
@@ -192,14 +214,19 @@ std::string ParseTargets(const std::string& name, const std::string& text, Optio
 {
   if (!options.Targets.empty())
   {
-    return "of --vertices, --triangles, --feature-size and --step only one can be given, and once";
+    return "of --vertices, --triangles, --feature-size, --genus, --components, --error-bound and "
+           "--step only one can be given, and once";
   }
   options.TargetType = name == "vertices" ? vtkTopologyCarver::VERTICES
     : name == "triangles"                 ? vtkTopologyCarver::TRIANGLES
+    : name == "genus"                     ? vtkTopologyCarver::GENUS
+    : name == "components"                ? vtkTopologyCarver::COMPONENTS
+    : name == "error-bound"               ? vtkTopologyCarver::ERROR_BOUND
     : name == "step"                      ? vtkTopologyCarver::STEP
                                           : vtkTopologyCarver::FEATURE_SIZE;
-  const bool length = options.TargetType == vtkTopologyCarver::FEATURE_SIZE;
-  const double smallest = options.TargetType == vtkTopologyCarver::STEP ? 0.0 : 1.0;
+  const bool length = options.TargetType == vtkTopologyCarver::FEATURE_SIZE ||
+    options.TargetType == vtkTopologyCarver::ERROR_BOUND;
+  const double smallest = name == "step" || name == "genus" ? 0.0 : 1.0;
   std::istringstream list(text);
   for (std::string item; std::getline(list, item, ',');)
   {
@@ -270,6 +297,7 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "memory-limit"         ? ParseNotNegative(name, text, options.MemoryLimit)
     : name == "depth-exponent"       ? ParseNotNegative(name, text, options.DepthExponent)
     : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "compute-error"        ? ParseSwitch(name, text, options.ComputeError)
     : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
     : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
     : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
@@ -293,7 +321,11 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "vertices", required_argument, nullptr, 't' },
     { "triangles", required_argument, nullptr, 't' },
     { "feature-size", required_argument, nullptr, 't' },
+    { "genus", required_argument, nullptr, 't' },
+    { "components", required_argument, nullptr, 't' },
+    { "error-bound", required_argument, nullptr, 't' },
     { "step", required_argument, nullptr, 't' },
+    { "profile", required_argument, nullptr, 'f' },
     { "stream", required_argument, nullptr, 's' },
     { "initial-mesh", required_argument, nullptr, 'i' },
     { "initial-approximation", required_argument, nullptr, 'p' },
@@ -309,6 +341,7 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "append-input", required_argument, nullptr, 'p' },
     { "time-limit", required_argument, nullptr, 'p' },
     { "memory-limit", required_argument, nullptr, 'p' },
+    { "compute-error", required_argument, nullptr, 'p' },
     { "keep-both-fold-sides", required_argument, nullptr, 'p' },
     { "manifold-output", required_argument, nullptr, 'm' },
     { "help", no_argument, nullptr, 'h' },
@@ -361,6 +394,12 @@ std::string Parse(int argc, char* argv[], Options& options)
         options.Stream = optarg;
         options.CarvingOption = "--stream";
         error = EndsIn(options.Stream, ".vtu") ? "" : "--stream wants a name that ends in .vtu";
+        break;
+      case 'f':
+        options.Profile = optarg;
+        error = EndsIn(options.Profile, ".csv") || EndsIn(options.Profile, ".png")
+          ? ""
+          : "--profile wants a name that ends in .csv or .png";
         break;
       case 'i':
         options.InitialMesh = optarg;

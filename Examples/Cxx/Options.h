@@ -19,10 +19,12 @@ struct Options
   std::string Input;
   std::string Output;      ///< empty: none
   std::string Stream;      ///< where to write the stored stream; empty: nowhere
+  std::string Profile;     ///< where to write the profile, .csv or .png; empty: nowhere
   std::string InitialMesh; ///< for CUSTOM
   /** The first option that only carving can follow; empty if there is none. */
   std::string CarvingOption;
   bool Contours = false; ///< the input is contours in a plane
+  bool ComputeError = false;
   int NumberOfLevels = 8;
   std::vector<double> Targets;
   int TargetType = 0; ///< vtkTopologyCarver::LevelTargets

@@ -4,6 +4,7 @@
 #include "ErrorLog.h"
 #include "LevelSelection.h"
 #include "Options.h"
+#include "StreamInput.h"
 #include "StreamOutput.h"
 
 #include "vtkCompositeDataSet.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -74,6 +76,15 @@ std::string StreamFile::Read(
   }
   stream->ShallowCopy(reader->GetOutput());
   return {};
+}
+
+void StreamFile::GetProfile(vtkUnstructuredGrid* stream, vtkTable* profile)
+{
+  carving::Profile found;
+  if (ReadProfile(stream, found).empty())
+  {
+    FillProfile(found, profile);
+  }
 }
 
 void StreamFile::Extract(

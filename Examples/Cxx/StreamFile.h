@@ -6,6 +6,7 @@
 
 class ErrorLog;
 class vtkMultiBlockDataSet;
+class vtkTable;
 class vtkUnstructuredGrid;
 struct Options;
 
@@ -17,6 +18,9 @@ bool Write(const std::string& fileName, vtkUnstructuredGrid* stream);
 
 /** Returns an empty string or why the file could not be read. */
 std::string Read(const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream);
+
+/** The profile that a stream carries; empty if it has none. */
+void GetProfile(vtkUnstructuredGrid* stream, vtkTable* profile);
 
 /** The levels that the options ask for, coarse to fine; errors and warnings come from the filter. */
 void Extract(const Options& options, vtkUnstructuredGrid* stream, vtkMultiBlockDataSet* levels);

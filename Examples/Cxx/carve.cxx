@@ -7,6 +7,7 @@
 #include "LevelWriter.h"
 #include "MeshReader.h"
 #include "Options.h"
+#include "ProfileFile.h"
 #include "StreamFile.h"
 
 #include "vtkCallbackCommand.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -101,8 +103,8 @@ void PrintNotes(vtkMultiBlockDataSet* levels)
 }
 
 /** Prints, and writes if so asked, what a filter has given; `seconds` is the line of timings so far. */
-int Finish(
-  const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, const std::string& seconds)
+int Finish(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, vtkTable* profile,
+  const std::string& seconds)
 {
   if (!log->Errors.empty())
   {
@@ -123,6 +125,15 @@ int Finish(
     {
       return Fail(error);
     }
+  }
+  if (!options.Profile.empty())
+  {
+    const std::string error = ProfileFile::Write(options.Profile, profile, options.Contours);
+    if (!error.empty())
+    {
+      return Fail(error);
+    }
+    written.push_back(options.Profile);
   }
   std::printf("seconds: %s", seconds.c_str());
   if (!written.empty())
@@ -165,6 +176,7 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   carver->SetMemoryLimit(options.MemoryLimit);
   carver->SetKeepBothFoldSides(options.KeepBothFoldSides);
   carver->SetManifoldOutput(options.ManifoldOutput);
+  carver->SetComputeError(options.ComputeError);
   carver->SetNumberOfLevels(options.NumberOfLevels);
   carver->SetLevelTargetType(options.TargetType);
   for (const double target : options.Targets)
@@ -221,7 +233,8 @@ int CarveMesh(const Options& options, ErrorLog* log)
     }
     seconds += ", " + Describe("write stream", clock.Lap());
   }
-  return Finish(options, log, carver->GetOutput(), seconds);
+  return Finish(options, log, carver->GetOutput(),
+    vtkTable::SafeDownCast(carver->GetOutputDataObject(2)), seconds);
 }
 
 int AnswerFromStream(const Options& options, ErrorLog* log)
@@ -239,7 +252,9 @@ int AnswerFromStream(const Options& options, ErrorLog* log)
     static_cast<long long>(stream->GetNumberOfCells()));
   vtkNew<vtkMultiBlockDataSet> levels;
   StreamFile::Extract(options, stream, levels);
-  return Finish(options, log, levels, read + ", " + Describe("extract", clock.Lap()));
+  vtkNew<vtkTable> profile;
+  StreamFile::GetProfile(stream, profile);
+  return Finish(options, log, levels, profile, read + ", " + Describe("extract", clock.Lap()));
 }
 
 } // namespace
@@ -262,6 +277,11 @@ int main(int argc, char* argv[])
       return Success;
     case Options::Action::Carve:
       break;
+  }
+  const std::string unwritable = options.Profile.empty() ? "" : ProfileFile::Check(options.Profile);
+  if (!unwritable.empty())
+  {
+    return Fail(unwritable);
   }
   // All that VTK reports comes through the log, one line each.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);

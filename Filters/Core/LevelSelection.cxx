@@ -34,6 +34,28 @@ SelectedStep SelectByCount(const std::vector<int>& counts, double target, const 
   return { 0, problem.str() };
 }
 
+SelectedStep SelectByError(const Profile& profile, double target)
+{
+  if (profile.Error.empty())
+  {
+    return { profile.LastStep(),
+      "The stream does not say how far its levels are from the mesh: carve it with ComputeError "
+      "on. "
+      "The last level, the closest, is given instead." };
+  }
+  const auto& errors = profile.Error;
+  const auto last =
+    std::find_if(errors.rbegin(), errors.rend(), [target](double error) { return error > target; });
+  if (last != errors.rbegin())
+  {
+    return { static_cast<int>(errors.rend() - last), {} };
+  }
+  std::ostringstream problem;
+  problem << "No level is as close as " << target << ": the last, which is given instead, is up to "
+          << errors.back() << " away from the mesh.";
+  return { profile.LastStep(), problem.str() };
+}
+
 SelectedStep SelectNearest(int last, double target)
 {
   const double step = std::floor(target);
@@ -49,13 +71,6 @@ SelectedStep SelectNearest(int last, double target)
 
 } // namespace
 
-LevelTarget ToLevelTarget(int number)
-{
-  return number >= static_cast<int>(LevelTarget::Step)
-    ? LevelTarget::Step
-    : static_cast<LevelTarget>(std::clamp(number, 0, static_cast<int>(LevelTarget::FeatureSize)));
-}
-
 const char* LevelTargetName(LevelTarget target)
 {
   switch (target)
@@ -64,6 +79,12 @@ const char* LevelTargetName(LevelTarget target)
       return "TRIANGLES";
     case LevelTarget::FeatureSize:
       return "FEATURE_SIZE";
+    case LevelTarget::Genus:
+      return "GENUS";
+    case LevelTarget::Components:
+      return "COMPONENTS";
+    case LevelTarget::ErrorBound:
+      return "ERROR_BOUND";
     case LevelTarget::Step:
       return "STEP";
     default:
@@ -84,6 +105,12 @@ SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target)
         std::find_if(sizes.begin(), sizes.end(), [target](double size) { return size <= target; });
       return { std::max(0, static_cast<int>(small - sizes.begin()) - 1), {} };
     }
+    case LevelTarget::Genus:
+      return SelectByCount(profile.Tunnels, target, "tunnels");
+    case LevelTarget::Components:
+      return SelectByCount(profile.Components, target, "components");
+    case LevelTarget::ErrorBound:
+      return SelectByError(profile, target);
     case LevelTarget::Step:
       return SelectNearest(profile.LastStep(), target);
     default:
@@ -108,6 +135,17 @@ std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type)
       const auto& sizes = profile.FeatureSize;
       return sizes.size() > 1 ? std::array<double, 2>{ sizes.back(), sizes[1] }
                               : std::array<double, 2>{ 0.0, 0.0 };
+    }
+    case LevelTarget::Genus:
+      return rangeOf(profile.Tunnels);
+    case LevelTarget::Components:
+      return rangeOf(profile.Components);
+    case LevelTarget::ErrorBound:
+    {
+      const auto& errors = profile.Error;
+      return errors.empty()
+        ? std::array<double, 2>{ 0.0, 0.0 }
+        : std::array<double, 2>{ errors.back(), *std::max_element(errors.begin(), errors.end()) };
     }
     case LevelTarget::Step:
       return { 0.0, static_cast<double>(profile.LastStep()) };

@@ -28,11 +28,11 @@ enum class LevelTarget : int
   Vertices = 0,
   Triangles = 1,
   FeatureSize = 2,
+  Genus = 3,
+  Components = 4,
+  ErrorBound = 5,
   Step = 6
 };
-
-/** The target of that number; of others the nearest below. */
-LevelTarget ToLevelTarget(int number);
 
 /** The name of the filters' enumerator. */
 const char* LevelTargetName(LevelTarget target);
@@ -44,9 +44,10 @@ struct SelectedStep
 };
 
 /**
- * The last step such that it and all before it have at most `target` vertices or triangles; the one
- * before the first pop with a priority of at most `target`, a length; or step `target`. What cannot be
- * met gives the nearest step.
+ * The last step such that it and all before it have at most `target` vertices, triangles, tunnels or
+ * components; the one before the first pop with a priority of at most `target`, a length; the first such
+ * that neither it nor any after it is farther than `target` from M; or step `target`. What cannot be met
+ * gives the nearest step.
  */
 SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target);
 

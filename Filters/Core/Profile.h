@@ -28,6 +28,8 @@ struct Profile
   std::vector<int> Components;
   std::vector<int> Tunnels;
   std::vector<int> Voids;
+  /** How far each is from M (ComputeErrors); empty if that has not been asked for. */
+  std::vector<double> Error;
   /** Of the tetrahedron popped at that step; NaN for C0. */
   std::vector<double> Priority;
   /** The smallest priority popped so far, as a length (PriorityAsLength); infinite for C0. */

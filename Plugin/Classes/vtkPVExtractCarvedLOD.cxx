@@ -34,6 +34,24 @@ double* vtkPVExtractCarvedLOD::GetFeatureSizeRange()
 }
 
 //------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetGenusRange()
+{
+  return this->GetRange(GENUS, this->GenusTarget);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetComponentRange()
+{
+  return this->GetRange(COMPONENTS, this->ComponentTarget);
+}
+
+//------------------------------------------------------------------------------
+double* vtkPVExtractCarvedLOD::GetErrorBoundRange()
+{
+  return this->GetRange(ERROR_BOUND, this->ErrorBoundTarget);
+}
+
+//------------------------------------------------------------------------------
 double* vtkPVExtractCarvedLOD::GetStepRange()
 {
   return this->GetRange(STEP, this->StepTarget);
@@ -52,6 +70,15 @@ int vtkPVExtractCarvedLOD::RequestData(
     case FEATURE_SIZE:
       this->LevelTarget = this->FeatureSizeTarget;
       break;
+    case GENUS:
+      this->LevelTarget = this->GenusTarget;
+      break;
+    case COMPONENTS:
+      this->LevelTarget = this->ComponentTarget;
+      break;
+    case ERROR_BOUND:
+      this->LevelTarget = this->ErrorBoundTarget;
+      break;
     case STEP:
       this->LevelTarget = this->StepTarget;
       break;
@@ -69,5 +96,8 @@ void vtkPVExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VertexTarget: " << this->VertexTarget << "\n";
   os << indent << "TriangleTarget: " << this->TriangleTarget << "\n";
   os << indent << "FeatureSizeTarget: " << this->FeatureSizeTarget << "\n";
+  os << indent << "GenusTarget: " << this->GenusTarget << "\n";
+  os << indent << "ComponentTarget: " << this->ComponentTarget << "\n";
+  os << indent << "ErrorBoundTarget: " << this->ErrorBoundTarget << "\n";
   os << indent << "StepTarget: " << this->StepTarget << "\n";
 }

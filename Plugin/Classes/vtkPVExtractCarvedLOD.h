@@ -26,6 +26,12 @@ public:
   vtkGetMacro(TriangleTarget, int);
   vtkSetClampMacro(FeatureSizeTarget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FeatureSizeTarget, double);
+  vtkSetClampMacro(GenusTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(GenusTarget, int);
+  vtkSetClampMacro(ComponentTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ComponentTarget, int);
+  vtkSetClampMacro(ErrorBoundTarget, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(ErrorBoundTarget, double);
   vtkSetClampMacro(StepTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(StepTarget, int);
   ///@}
@@ -38,6 +44,9 @@ public:
   double* GetVertexRange() VTK_SIZEHINT(2);
   double* GetTriangleRange() VTK_SIZEHINT(2);
   double* GetFeatureSizeRange() VTK_SIZEHINT(2);
+  double* GetGenusRange() VTK_SIZEHINT(2);
+  double* GetComponentRange() VTK_SIZEHINT(2);
+  double* GetErrorBoundRange() VTK_SIZEHINT(2);
   double* GetStepRange() VTK_SIZEHINT(2);
   ///@}
 
@@ -51,6 +60,9 @@ protected:
   int VertexTarget = 1000;
   int TriangleTarget = 2000;
   double FeatureSizeTarget = 0.0;
+  int GenusTarget = 0;
+  int ComponentTarget = 1;
+  double ErrorBoundTarget = 0.0;
   int StepTarget = 0;
 
 private:

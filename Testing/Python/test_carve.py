@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command-line program. CARVE names it, MESHES is the folder of fetched meshes."""
+import csv
 import glob
 import gzip
 import os
@@ -128,6 +129,38 @@ class TestCarve(unittest.TestCase):
                      "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
                      "--carve-exposed", "--carve-voids", "--solid-rule"):
             self.assertIn(word, run.stdout)
+
+    def test_writes_the_profile(self):
+        """--profile writes a row per step, or a chart, for which there has to be a display."""
+        rows = self.table(BONES, "--profile", "out.csv", "--stream", "out.vtu", "--compute-error", "on")
+        with open(self.path("out.csv"), encoding="utf-8") as file:
+            table = list(csv.DictReader(file))
+        self.assertEqual(len(table), rows[-1][1] + 1)
+        names = ("Vertices", "Triangles", "Components", "Genus", "Voids")
+        for row in rows:
+            self.assertEqual(tuple(int(table[row[1]][name]) for name in names), row[2:])
+        self.assertEqual(float(table[-1]["Error"]), 0.0)
+        self.table("out.vtu", "--profile", "again.csv")
+        with open(self.path("out.csv"), "rb") as first, open(self.path("again.csv"), "rb") as second:
+            self.assertEqual(first.read(), second.read())
+        self.table("out.vtu", "--profile", "out.png")
+        with open(self.path("out.png"), "rb") as file:
+            self.assertGreater(len(file.read()), 5000)
+        self.expect_failure(self.run_carve("out.vtu", "--profile", "no.png", DISPLAY=":7654"), 1, "no.png", "display")
+        self.expect_failure(self.run_carve("out.vtu", "--profile", "out.txt"), 2, "--profile", ".csv")
+
+    def test_picks_levels_by_topology_and_distance(self):
+        """Tunnels, components and distances pick levels, also from a stream."""
+        for option, column in (("--genus", 5), ("--components", 4)):
+            rows = self.table(BONES, option, "3,8")
+            for row, most in zip(rows, (3, 8)):
+                self.assertLessEqual(row[column], most)
+            self.assertLess(rows[0][1], rows[1][1])
+        rows = self.table(BONES, "--error-bound", "0.2,0.4", "--stream", "out.vtu")
+        self.assertLess(rows[0][1], rows[1][1])
+        self.assertEqual(self.table("out.vtu", "--error-bound", "0.4,0.2"), rows)
+        self.expect_failure(self.run_carve(BONES, "--genus", "-1"), 2, "--genus", "whole numbers")
+        self.expect_failure(self.run_carve(BONES, "--genus", "1", "--components", "1"), 2, "only one")
 
     def test_prints_its_version(self):
         """--version prints a name and a number."""

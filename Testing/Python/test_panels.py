@@ -90,7 +90,7 @@ class TestPanels(unittest.TestCase):
             "SetDepthMeasure": "HIERARCHY DISTANCE",
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",
-            "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE STEP",
+            "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE GENUS COMPONENTS ERROR_BOUND STEP",
         }
         seen = set()
         for proxy in (self.carver, self.picker):

@@ -114,3 +114,42 @@ TEST(GetTargetRange, GoesFromTheFirstStepToTheGreatest)
   EXPECT_EQ(GetTargetRange(profile, LevelTarget::FeatureSize), (Range{ 3.0, 8.0 }));
   EXPECT_EQ(GetTargetRange(profile, LevelTarget::Step), (Range{ 0.0, 3.0 }));
 }
+
+// Tunnels get more and fewer again: a target of them stops before the first step that has more.
+TEST(SelectStep, PicksByTunnelsAndComponents)
+{
+  Profile profile = WithVertices({ 4, 5, 6, 7, 8 });
+  profile.Tunnels = { 0, 1, 3, 2, 4 };
+  profile.Components = { 1, 1, 2, 2, 5 };
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 0).Step, 0);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 2).Step, 1);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 3).Step, 3);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 100).Step, 4);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Components, 2).Step, 3);
+  const SelectedStep none = SelectStep(profile, LevelTarget::Components, 0);
+  EXPECT_EQ(none.Step, 0);
+  EXPECT_NE(none.Problem.find("0 components"), std::string::npos);
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Genus), (std::array<double, 2>{ 0, 4 }));
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Components), (std::array<double, 2>{ 1, 5 }));
+}
+
+// Steps may come closer to the mesh and go farther away again: after the one picked by a bound none is
+// farther than that. What no step meets, or what has not been computed, gives the last and says so.
+TEST(SelectStep, PicksByErrorBound)
+{
+  Profile profile = WithVertices({ 4, 5, 6, 7, 8 });
+  EXPECT_EQ(SelectStep(profile, LevelTarget::ErrorBound, 3).Step, 4);
+  EXPECT_NE(SelectStep(profile, LevelTarget::ErrorBound, 3).Problem.find("ComputeError"),
+    std::string::npos);
+  profile.Error = { 5, 2, 3, 1, 0.5 };
+  for (const auto& [bound, step] : { std::pair(5.0, 0), std::pair(3.0, 1), std::pair(2.5, 3),
+         std::pair(2.0, 3), std::pair(0.9, 4), std::pair(0.5, 4) })
+  {
+    EXPECT_EQ(SelectStep(profile, LevelTarget::ErrorBound, bound).Step, step);
+    EXPECT_EQ(SelectStep(profile, LevelTarget::ErrorBound, bound).Problem, "");
+  }
+  const SelectedStep last = SelectStep(profile, LevelTarget::ErrorBound, 0.1);
+  EXPECT_EQ(last.Step, 4);
+  EXPECT_NE(last.Problem.find("0.5 away"), std::string::npos);
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::ErrorBound), (std::array<double, 2>{ 0.5, 5 }));
+}

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace
 {
@@ -129,4 +130,83 @@ TEST(LevelTopology, IsUnknownOfAnAppendedInput)
   carver->Update();
   EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 2u);
   EXPECT_EQ(GetTopology(GetLevel(carver, 1)), (Numbers{ -1, -1, -1, -1, -1 }));
+}
+
+// Targets give the last level before one that has more tunnels or components.
+TEST(LevelTopology, MeetsTargets)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("bones.off"));
+  for (const auto& [type, name, target] : { std::tuple(vtkTopologyCarver::GENUS, "Genus", 3),
+         std::tuple(vtkTopologyCarver::COMPONENTS, "Components", 4) })
+  {
+    carver->ClearLevelTargets();
+    carver->SetLevelTargetType(type);
+    carver->AddLevelTarget(target);
+    carver->Update();
+    auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+    const int step = GetLevelStep(carver, 0);
+    for (int i = 0; i <= step; ++i)
+    {
+      EXPECT_LE(profile->GetValueByName(i, name).ToInt(), target);
+    }
+    EXPECT_GT(profile->GetValueByName(step + 1, name).ToInt(), target);
+  }
+}
+
+// Of boxes with a gap of width 1 between them the hull's point in the middle of the gap is the farthest,
+// 0.5 away; the boxes are at no distance from themselves. Without being asked for it is not computed.
+TEST(LevelTopology, ComputesTheErrorOnRequest)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(
+    ToPolyData(models::Joined(Box(0, 0), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))));
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  const auto error = [&](int level)
+  { return GetLevel(carver, level)->GetFieldData()->GetArray("Error")->GetTuple1(0); };
+  EXPECT_TRUE(std::isnan(error(0)));
+  carver->ComputeErrorOn();
+  carver->Update();
+  EXPECT_GE(error(0), 0.5 * (1.0 - 1e-12));
+  EXPECT_LE(error(0), 0.505);
+  EXPECT_EQ(error(1), 0.0);
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  EXPECT_EQ(profile->GetValueByName(0, "Error").ToDouble(), error(0));
+}
+
+// In enclosing mode the distance is that from the mesh as given, which levels only come near; a bound
+// that none meets gives the last level and a warning.
+TEST(LevelTopology, WarnsOfAnErrorBoundThatNoLevelMeets)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(ToPolyData(
+    models::Joined(Box(0, 0), models::Moved(models::Torus(1.0, 0.3, 12, 8), { 0.4, 0.3, 0.5 }))));
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->SetLevelTargetType(vtkTopologyCarver::ERROR_BOUND);
+  carver->AddLevelTarget(1e-6);
+  carver->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  const double last = profile->GetValueByName(profile->GetNumberOfRows() - 1, "Error").ToDouble();
+  EXPECT_GT(last, 1e-6);
+  EXPECT_EQ(GetLevelStep(carver, 0), profile->GetNumberOfRows() - 1);
+}
+
+// A stream that was carved without errors gives its last level for a bound, and says what is missing.
+TEST(LevelTopology, WarnsOfAStreamWithoutErrors)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetInputData(carver->GetOutputDataObject(1));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::ERROR_BOUND);
+  extract->SetLevelTarget(10.0);
+  extract->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_NE(messages.Warnings[0].find("ComputeError"), std::string::npos);
+  EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
 }

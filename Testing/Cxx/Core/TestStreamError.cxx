@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * How far approximations are from the mesh.
+ */
+#include "FacetTree.h"
+#include "Level.h"
+#include "Shapes.h"
+#include "SmallMeshes.h"
+#include "StreamError.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+std::vector<double> Errors(const StoredStream<3>& stream)
+{
+  std::vector<double> errors;
+  EXPECT_TRUE(ComputeErrors<3>(stream, stream.Mesh.Surface, true, errors));
+  return errors;
+}
+
+/** The farthest of many points of a level, found by looking at all facets of M. */
+double SampleError(const StoredStream<3>& stream, int step)
+{
+  constexpr int n = 40;
+  const std::vector<Point>& points = stream.Mesh.Surface.Points;
+  double farthest = 0.0;
+  for (const Triangle& t : small::Triangles(ExtractLevel(stream, step)))
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; i + j <= n; ++j)
+      {
+        Point p;
+        for (int k = 0; k < 3; ++k)
+        {
+          p[k] = (i * points[t[0]][k] + j * points[t[1]][k] + (n - i - j) * points[t[2]][k]) / n;
+        }
+        double closest = HUGE_VAL;
+        for (const Triangle& facet : stream.Mesh.Surface.Facets)
+        {
+          closest = std::min(closest, DistanceTo(CornersOf<3>(points, facet), p));
+        }
+        farthest = std::max(farthest, closest);
+      }
+    }
+  }
+  return farthest;
+}
+
+} // namespace
+
+// Of a tetrahedron around a smaller one a corner is the farthest, since distance is convex: here
+// (8, 0, 0), which is closest to (3.5, 1.5, 1.5). M itself is at no distance.
+TEST(StreamError, IsKnownOfNestedTetrahedra)
+{
+  const auto errors = Errors(small::StoreOneByOne(small::NestedTetrahedra(small::InnerFaces())));
+  const double expected = std::sqrt(4.5 * 4.5 + 2 * 1.5 * 1.5);
+  EXPECT_GE(errors.front(), expected * (1.0 - 1e-12));
+  EXPECT_LE(errors.front(), expected * 1.01);
+  EXPECT_EQ(errors.back(), 0.0);
+}
+
+// At every step the distance is that of the farthest of many points, to one hundredth.
+TEST(StreamError, AgreesWithManyPoints)
+{
+  const auto inner = small::InnerFaces();
+  for (const Tetrahedralization& mesh : { small::Row(6), small::NestedTetrahedra(inner),
+         small::NestedTetrahedra({ inner[0] }), small::NestedTetrahedra({ inner[1], inner[2] }) })
+  {
+    const StoredStream<3> stream = small::StoreOneByOne(mesh);
+    const std::vector<double> errors = Errors(stream);
+    ASSERT_EQ(errors.size(), stream.Order.StepPriority.size());
+    for (std::size_t step = 0; step < errors.size(); ++step)
+    {
+      const double sampled = SampleError(stream, static_cast<int>(step));
+      EXPECT_GE(errors[step], sampled - 1e-12); // points of M are rounded off it
+      // Edges are at most 8 sqrt(2) long: no point is farther than this from one of the many.
+      EXPECT_LE(errors[step], 1.01 * (sampled + 8.0 * std::sqrt(2.0 / 3.0) / 40));
+    }
+  }
+}
+
+// The tree finds what looking at all facets finds, from near and far.
+TEST(FacetTree, FindsTheClosest)
+{
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
+  const models::TriangleMesh torus = models::Torus(1.0, 0.4, 20, 10);
+  ResolvedMesh mesh;
+  mesh.Points = torus.Points;
+  mesh.Facets = torus.Triangles;
+  const FacetTree<3> tree(mesh);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const Point p = { coordinate(random), coordinate(random), coordinate(random) };
+    double closest = HUGE_VAL;
+    for (const Triangle& facet : mesh.Facets)
+    {
+      closest = std::min(closest, DistanceTo(CornersOf<3>(mesh.Points, facet), p));
+    }
+    const auto found = tree.Find(p);
+    EXPECT_EQ(found.Distance, closest);
+    EXPECT_EQ(DistanceTo(found.Facet, p), closest);
+  }
+}
+
+// A point is closest to the inside of a triangle, to a side or to a corner of it.
+TEST(FacetTree, MeasuresTrianglesAndEdges)
+{
+  const FacetCorners<3> triangle = { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } } };
+  EXPECT_DOUBLE_EQ(DistanceTo(triangle, { 1, 1, -2 }), 2.0);
+  EXPECT_DOUBLE_EQ(DistanceTo(triangle, { 2, -3, 4 }), 5.0);
+  EXPECT_DOUBLE_EQ(DistanceTo(triangle, { 4, 4, 0 }), std::sqrt(8.0));
+  EXPECT_DOUBLE_EQ(DistanceTo(triangle, { 6, -1, 2 }), 3.0);
+  const FacetCorners<2> edge = { { { 0, 0, 0 }, { 4, 0, 0 } } };
+  EXPECT_DOUBLE_EQ(DistanceTo(edge, { 1, 3, 0 }), 3.0);
+  EXPECT_DOUBLE_EQ(DistanceTo(edge, { 7, 4, 0 }), 5.0);
+}

@@ -97,13 +97,14 @@ def place_camera(renderer, bounds, view, up):
     camera.Zoom(1.1)  # leaves room for the caption
 
 
-def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level: [make_actor(level)]):
+def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level: [make_actor(level)], bounds=None):
+    """A window with a tile per level. All show the same part of space, by default that of the first level."""
     rows = -(-len(levels) // columns)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
     window.SetSize(columns * TILE[0], rows * TILE[1])
-    bounds = levels[0].GetBounds()
+    bounds = bounds or levels[0].GetBounds()
     automatic = default_view(bounds)
     for i, level in enumerate(levels):
         column, row = i % columns, rows - 1 - i // columns

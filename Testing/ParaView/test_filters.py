@@ -56,6 +56,17 @@ class TestFilters(unittest.TestCase):
         self.assertLessEqual(counts(carver)[1], 6000)
         carver.LevelBy, carver.FeatureSize = "Feature Size", 2 * numbers(carver, "FeatureSizeRange")[1]
         self.assertEqual(counts(carver), hull)
+        carver.LevelBy, carver.Components = "Components", 8
+        self.assertEqual(numbers(carver, "ComponentsRange"), [1, 8])
+        self.assertEqual(counts(carver), (POINTS, TRIANGLES))
+        carver.LevelBy, carver.Genus = "Genus", 0
+        self.assertGreaterEqual(numbers(carver, "GenusRange")[1], 5)
+        self.assertLess(counts(carver)[0], POINTS)
+        carver.ComputeError, carver.LevelBy = 1, "Error Bound"
+        carver.ErrorBound = 0.0
+        self.assertEqual(counts(carver), (POINTS, TRIANGLES))
+        carver.ErrorBound = numbers(carver, "ErrorBoundRange")[1]
+        self.assertEqual(counts(carver), hull)
 
     def test_choosing_a_level_does_not_carve_again(self):
         """Neither the carver nor an extractor needs the helper program for another level."""

@@ -33,6 +33,7 @@ public:
     : Mesh(mesh)
     , Step(stream.Step)
     , Changes(stream.LastStep() + 1, 0)
+    , IsOfSurface(mesh.Surface.Points.size(), 0)
     , VertexEnds(mesh.Surface.Points.size(), 0)
   {
   }
@@ -48,7 +49,10 @@ public:
     {
       for (const int vertex : this->Mesh.Cells[cell])
       {
-        this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);
+        if (!this->IsOfSurface[vertex])
+        {
+          this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);
+        }
       }
       if (this->Step[cell] == Stream::Never)
       {
@@ -83,7 +87,7 @@ private:
   {
     for (int i = 0; i < D; ++i)
     {
-      this->VertexEnds[facet[i]] = Stream::Never;
+      this->IsOfSurface[facet[i]] = 1;
       if constexpr (D == 3)
       {
         this->AddEdge(facet[i], facet[(i + 1) % 3], Stream::Never);
@@ -189,7 +193,8 @@ private:
   const Decomposition<D>& Mesh;
   const std::vector<int>& Step;
   std::vector<int> Changes;
-  std::vector<int> VertexEnds;
+  std::vector<char> IsOfSurface; ///< per vertex: M has it, so that it stays
+  std::vector<int> VertexEnds;   ///< of the others: with the last cell around them
   std::vector<EdgeEnd> EdgeEnds;
 };
 
@@ -224,13 +229,15 @@ public:
     }
   }
 
-  /** Whether adding a simplex would change nothing. */
-  template <class Simplex>
-  bool Has(const Simplex& corners)
+  /** Per vertex a number of its component, -1 where it is in none. */
+  std::vector<int> GetLabels()
   {
-    const int set = this->Sets.Find(corners[0]);
-    return std::all_of(corners.begin(), corners.end(),
-      [&](int vertex) { return this->Present[vertex] && this->Sets.Find(vertex) == set; });
+    std::vector<int> labels(this->Present.size(), -1);
+    for (int vertex = 0; vertex < static_cast<int>(labels.size()); ++vertex)
+    {
+      labels[vertex] = this->Present[vertex] ? this->Sets.Find(vertex) : -1;
+    }
+    return labels;
   }
 
   int Count = 0;
@@ -256,11 +263,18 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
     }
   }
   // Between parts of one component cells come and go without a trace.
+  const std::vector<int> labels = components.GetLabels();
+  const auto isWithinOne = [&](const auto& corners)
+  {
+    const int label = labels[corners[0]];
+    return label >= 0 &&
+      std::all_of(corners.begin(), corners.end(), [&](int v) { return labels[v] == label; });
+  };
   std::vector<int> joining;
   std::vector<int> ends(stream.LastStep() + 2, 0);
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    if (stream.Step[cell] != Stream::Never && !components.Has(mesh.Cells[cell]))
+    if (stream.Step[cell] != Stream::Never && !isWithinOne(mesh.Cells[cell]))
     {
       joining.push_back(static_cast<int>(cell));
       ++ends[stream.Step[cell] + 1];

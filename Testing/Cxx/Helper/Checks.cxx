@@ -18,38 +18,56 @@ namespace checks
 namespace
 {
 
-Exact::Triangle_3 ExactTriangle(const std::vector<Point>& points, const Triangle& t)
+Inexact::Triangle_3 ToTriangle(const std::vector<Point>& points, const Triangle& t)
 {
-  return { ToExact(points[t[0]]), ToExact(points[t[1]]), ToExact(points[t[2]]) };
+  return { ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]) };
 }
 
-/** Whether what two triangles have in common is just the points that they share. */
-struct IsJust
+/** How many corners two triangles share; orders each by shared corners first, those in one order. */
+int ShareFirst(Triangle& a, Triangle& b)
 {
-  using result_type = bool;
-  const std::vector<Exact::Point_3>& Shared;
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto same = std::find(b.begin() + shared, b.end(), a[i]);
+    if (same != b.end())
+    {
+      std::swap(a[shared], a[i]);
+      std::swap(b[shared], *same);
+      ++shared;
+    }
+  }
+  return shared;
+}
 
-  bool Contains(const Exact::Point_3& p) const
+/**
+ * Whether triangles meet in more than the corners that they share. By predicates alone: they are exact
+ * without exact coordinates of what the triangles have in common.
+ */
+bool Cross(const std::vector<Point>& points, Triangle a, Triangle b)
+{
+  const auto oppositeSide = [&](const Triangle& t)
+  { return Inexact::Segment_3(ToInexact(points[t[1]]), ToInexact(points[t[2]])); };
+  switch (ShareFirst(a, b))
   {
-    return std::find(this->Shared.begin(), this->Shared.end(), p) != this->Shared.end();
+    case 0:
+      return CGAL::do_intersect(ToTriangle(points, a), ToTriangle(points, b));
+    case 1:
+      // What they have in common is convex: if it goes on from the corner, then to a side opposite to it.
+      return CGAL::do_intersect(oppositeSide(a), ToTriangle(points, b)) ||
+        CGAL::do_intersect(oppositeSide(b), ToTriangle(points, a));
+    case 2:
+    {
+      // Unless one lies flat on the other, they have their side in common and nothing else.
+      const Inexact::Point_3 p = ToInexact(points[a[0]]), q = ToInexact(points[a[1]]),
+                             r = ToInexact(points[a[2]]), s = ToInexact(points[b[2]]);
+      return CGAL::orientation(p, q, r, s) == CGAL::COPLANAR &&
+        CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
+    }
+    default:
+      return true;
   }
-  bool operator()(const Exact::Point_3& p) const
-  {
-    return this->Contains(p);
-  }
-  bool operator()(const Exact::Segment_3& s) const
-  {
-    return this->Shared.size() == 2 && this->Contains(s.source()) && this->Contains(s.target());
-  }
-  bool operator()(const Exact::Triangle_3&) const
-  {
-    return false;
-  }
-  bool operator()(const std::vector<Exact::Point_3>&) const
-  {
-    return false;
-  }
-};
+}
 
 } // namespace
 
@@ -65,21 +83,7 @@ int CountCrossings(const std::vector<Point>& points, const std::vector<Triangle>
   }
   int crossings = 0;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-    [&](const Box& x, const Box& y)
-    {
-      const Triangle& a = *x.handle();
-      const Triangle& b = *y.handle();
-      std::vector<Exact::Point_3> shared;
-      for (const int corner : a)
-      {
-        if (std::find(b.begin(), b.end(), corner) != b.end())
-        {
-          shared.push_back(ToExact(points[corner]));
-        }
-      }
-      const auto met = CGAL::intersection(ExactTriangle(points, a), ExactTriangle(points, b));
-      crossings += met && !boost::apply_visitor(IsJust{ shared }, *met);
-    });
+    [&](const Box& x, const Box& y) { crossings += Cross(points, *x.handle(), *y.handle()); });
   return crossings;
 }
 
@@ -158,12 +162,7 @@ bool LineHits(const std::vector<Point>& points, const std::vector<Triangle>& tri
   const Inexact::Line_3 line(
     ToInexact(point), Inexact::Vector_3(direction[0], direction[1], direction[2]));
   return std::any_of(triangles.begin(), triangles.end(),
-    [&](const Triangle& t)
-    {
-      return CGAL::do_intersect(line,
-        Inexact::Triangle_3(
-          ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]])));
-    });
+    [&](const Triangle& t) { return CGAL::do_intersect(line, ToTriangle(points, t)); });
 }
 
 } // namespace checks

@@ -103,7 +103,8 @@ class RealMesh : public testing::TestWithParam<const char*>
 } // namespace
 
 // Enclosure, monotony, the ends of the stream, exact vertices, manifolds and freedom from crossings hold on random
-// meshes (closed solids, open sheets, many components, overlapping ones) with random properties.
+// meshes (closed solids, open sheets, many components, overlapping ones) with random properties, every pair of values
+// among them.
 TEST(Properties, HoldOnRandomMeshes)
 {
   std::mt19937_64 random(20061121);
@@ -137,6 +138,8 @@ TEST(Properties, HoldOnRandomMeshes)
         model.Mesh, carved, ExtractLevel(carved.Stored, carved.Stream.LastStep()), random);
     }
   }
+  // Fewer draws may miss some.
+  EXPECT_TRUE(pairs.AreAll() || count < 200);
 }
 
 // The same input gives the same tetrahedra and the same stream, bit for bit.

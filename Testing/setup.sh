@@ -11,7 +11,7 @@ build_packages=(
 picture_packages=(libgl1-mesa-dri python3-vtk9 xauth xvfb)
 test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
 # Without python3-paraview, which excludes python3-vtk9: paraview_prefix.sh unpacks it elsewhere.
-paraview_packages=(mpi-default-bin paraview paraview-dev)
+paraview_packages=(mpi-default-bin paraview paraview-dev python3-xlib qtbase5-dev)
 
 say() {
   printf '\n== %s\n' "$*"

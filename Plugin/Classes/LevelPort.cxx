@@ -84,10 +84,17 @@ int LevelPort::RequestData(vtkMTimeType time, vtkInformationVector** in, vtkInfo
   if (!this->IsCurrent(times))
   {
     this->Kept = {};
-    if (!carve(ports) || this->Carver->GetAbortExecute())
+    const bool good = carve(ports) != 0;
+    if (this->Carver->GetAbortExecute())
+    {
+      // Or an empty view would be all that there is to see.
+      vtkWarningWithObjectMacro(this->Carver,
+        "The carving was stopped. To start it again, change a property and press Apply.");
+    }
+    if (!good || this->Carver->GetAbortExecute())
     {
       vtkDataObject::GetData(out, 0)->Initialize();
-      return this->Carver->GetAbortExecute() ? 1 : 0;
+      return good;
     }
     for (int port = 0; port < NumberOfCarverPorts; ++port)
     {

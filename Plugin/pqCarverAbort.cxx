@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqCarverAbort.h"
+
+#include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
+#include "pqPipelineSource.h"
+#include "pqProgressManager.h"
+#include "pqServerManagerModel.h"
+#include "vtkCarverAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkSMProxy.h"
+
+#include <QCoreApplication>
+#include <QInputEvent>
+
+namespace
+{
+
+pqProgressManager* GetProgressManager()
+{
+  return pqApplicationCore::instance()->getProgressManager();
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+pqCarverAbort::pqCarverAbort(QObject* parent)
+  : QObject(parent)
+{
+}
+
+//------------------------------------------------------------------------------
+void pqCarverAbort::startup()
+{
+  pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();
+  QObject::connect(
+    model, SIGNAL(sourceAdded(pqPipelineSource*)), this, SLOT(watch(pqPipelineSource*)));
+  for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
+  {
+    this->watch(source);
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCarverAbort::shutdown()
+{
+}
+
+//------------------------------------------------------------------------------
+void pqCarverAbort::watch(pqPipelineSource* source)
+{
+  // Null where another process has the filter.
+  auto* carver = vtkCarverAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject());
+  if (carver)
+  {
+    pqCoreUtilities::connect(carver, vtkCommand::ProgressEvent, this, SLOT(onProgress(vtkObject*)));
+    pqCoreUtilities::connect(carver, vtkCommand::EndEvent, this, SLOT(onEnd(vtkObject*)));
+  }
+}
+
+//------------------------------------------------------------------------------
+void pqCarverAbort::onProgress(vtkObject* caller)
+{
+  auto* carver = vtkCarverAlgorithm::SafeDownCast(caller);
+  if (carver->GetProgress() >= 1.0)
+  {
+    return; // too late, also where another level is picked only
+  }
+  pqProgressManager* manager = GetProgressManager();
+  manager->setEnableAbort(true);
+  const auto connection = QObject::connect(
+    manager, &pqProgressManager::abort, this, [carver] { carver->SetAbortExecute(1); });
+  // The manager's own filter would take the mouse from the window before it comes to the button.
+  const bool unblocked = manager->unblockEvents(true);
+  QCoreApplication::instance()->installEventFilter(this);
+  // Timers start renderings, for which the running filter would have to be up to date.
+  QCoreApplication::processEvents(
+    QEventLoop::ExcludeSocketNotifiers | QEventLoop::X11ExcludeTimers);
+  QCoreApplication::instance()->removeEventFilter(this);
+  manager->unblockEvents(unblocked);
+  QObject::disconnect(connection);
+}
+
+//------------------------------------------------------------------------------
+void pqCarverAbort::onEnd(vtkObject* caller)
+{
+  // Or it would be stopped at once the next time.
+  vtkCarverAlgorithm::SafeDownCast(caller)->SetAbortExecute(0);
+  GetProgressManager()->setEnableAbort(false);
+}
+
+//------------------------------------------------------------------------------
+bool pqCarverAbort::eventFilter(QObject* receiver, QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::Close:
+    case QEvent::DragEnter:
+    case QEvent::Drop:
+    case QEvent::Shortcut:
+      event->ignore();
+      return true;
+    default:
+      // A window hands the mouse on to its widgets, of which the manager knows the button.
+      return dynamic_cast<QInputEvent*>(event) && !receiver->isWindowType() &&
+        !GetProgressManager()->nonBlockableObjects().contains(receiver);
+  }
+}

@@ -60,13 +60,19 @@ int StepOfTime(Prepared& stream, double time, int numberOfTimes)
 class vtkExtractCarvedLOD::Internals
 {
 public:
-  Prepared& Get(vtkUnstructuredGrid* grid)
+  /** Null if it has not been read, or has changed since. */
+  Prepared* Find(vtkUnstructuredGrid* grid)
   {
     this->All.remove_if([](const Prepared& stream)
       { return !stream.Grid || stream.Grid->GetMTime() != stream.Time; });
     const auto found = std::find_if(this->All.begin(), this->All.end(),
       [grid](const Prepared& stream) { return stream.Grid == grid; });
-    if (found != this->All.end())
+    return found != this->All.end() ? &*found : nullptr;
+  }
+
+  Prepared& Get(vtkUnstructuredGrid* grid)
+  {
+    if (Prepared* found = this->Find(grid))
     {
       return *found;
     }
@@ -162,11 +168,12 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
   {
+    const Prepared* stream = this->Streams->Find(grid);
     carving::Profile profile;
-    if (ReadProfile(grid, profile).empty())
+    if (stream ? stream->Error.empty() : ReadProfile(grid, profile).empty())
     {
-      const auto [least, greatest] =
-        carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type));
+      const auto [least, greatest] = carving::GetTargetRange(
+        stream ? stream->Profile : profile, static_cast<carving::LevelTarget>(type));
       range[0] = found ? std::min(range[0], least) : least;
       range[1] = found ? std::max(range[1], greatest) : greatest;
       found = true;

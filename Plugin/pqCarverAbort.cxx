@@ -62,9 +62,9 @@ void pqCarverAbort::watch(pqPipelineSource* source)
 void pqCarverAbort::onProgress(vtkObject* caller)
 {
   auto* carver = vtkCarverAlgorithm::SafeDownCast(caller);
-  if (carver->GetProgress() >= 1.0)
+  if (!carver->GetProgressText())
   {
-    return; // too late, also where another level is picked only
+    return; // no stage of a carving, but another level
   }
   pqProgressManager* manager = GetProgressManager();
   manager->setEnableAbort(true);

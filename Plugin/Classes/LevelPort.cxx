@@ -85,6 +85,7 @@ int LevelPort::RequestData(vtkMTimeType time, vtkInformationVector** in, vtkInfo
   {
     this->Kept = {};
     const bool good = carve(ports) != 0;
+    this->Carver->SetProgressText(nullptr); // no stage any more
     if (this->Carver->GetAbortExecute())
     {
       // Or an empty view would be all that there is to see.

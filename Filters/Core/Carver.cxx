@@ -12,6 +12,8 @@ namespace carving
 namespace
 {
 
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
 struct Entry
 {
   double Priority;
@@ -25,6 +27,17 @@ struct Entry
   }
 };
 
+/** What carving needs to know of a cell, in one place: it goes from cell to cell all over memory. */
+template <int D>
+struct State
+{
+  typename Decomposition<D>::Cell Next; ///< the neighbors that carving exposes a face of, or -1
+  int Step = Stream::Never;
+  int Degree = 0;
+  double Priority; ///< until it becomes carvable, without regard to depth
+  double Depth = 0.0;
+};
+
 template <int D>
 class Carver
 {
@@ -34,14 +47,10 @@ public:
     : Mesh(mesh)
     , Options(options)
     , Out(stream)
-    , Measure(ComputePriorities(mesh, options.Measure))
-    , Degree(mesh.Cells.size(), 0)
   {
+    this->PrepareCells();
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
-    this->Out.Step.assign(numberOfCells, Stream::Never);
-    this->Out.Priority.assign(numberOfCells, std::numeric_limits<double>::quiet_NaN());
-    this->Out.Depth.assign(numberOfCells, 0.0);
-    this->Out.StepPriority.assign(1, std::numeric_limits<double>::quiet_NaN());
+    this->Out.StepPriority.assign(1, NaN);
     std::vector<Entry> seeds(regions.Regions.size(), { -1.0, -1 });
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
@@ -89,14 +98,15 @@ public:
       }
       const Entry top = this->Queue.top();
       this->Queue.pop();
-      if (this->Out.Step[top.Cell] != Stream::Never)
+      this->FetchTop();
+      if (this->Cells[top.Cell].Step != Stream::Never)
       {
         continue; // carved along with another one
       }
       const int step = static_cast<int>(this->Out.StepPriority.size());
       this->Out.StepPriority.push_back(top.Priority);
       taken.assign(1, top.Cell);
-      this->Out.Step[top.Cell] = step;
+      this->Cells[top.Cell].Step = step;
       this->WalkBreadth(step, taken);
       if (this->Options.CarveExposed)
       {
@@ -104,10 +114,59 @@ public:
       }
       carved += static_cast<int>(taken.size());
     }
+    this->Write();
     return GoOn(progress, 1.0);
   }
 
 private:
+  void PrepareCells()
+  {
+    const std::vector<double> measure = ComputePriorities(this->Mesh, this->Options.Measure);
+    this->Cells.resize(measure.size());
+    for (std::size_t cell = 0; cell < this->Cells.size(); ++cell)
+    {
+      State<D>& state = this->Cells[cell];
+      state.Priority = measure[cell];
+      for (int f = 0; f <= D; ++f)
+      {
+        const int neighbor = this->Mesh.Neighbors[cell][f];
+        const bool open =
+          neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 && !this->Mesh.IsKept(neighbor);
+        state.Next[f] = open ? neighbor : -1;
+      }
+    }
+  }
+
+  void Write()
+  {
+    this->Out.Step.clear();
+    this->Out.Priority.clear();
+    this->Out.Depth.clear();
+    this->Out.Step.reserve(this->Cells.size());
+    this->Out.Priority.reserve(this->Cells.size());
+    this->Out.Depth.reserve(this->Cells.size());
+    for (const State<D>& state : this->Cells)
+    {
+      this->Out.Step.push_back(state.Step);
+      this->Out.Priority.push_back(state.Degree > 0 ? state.Priority : NaN);
+      this->Out.Depth.push_back(state.Depth);
+    }
+  }
+
+  /** Has the processor fetch a cell that will be needed soon. */
+  void Fetch(int cell) const
+  {
+    __builtin_prefetch(&this->Cells[cell]);
+  }
+
+  void FetchTop() const
+  {
+    if (!this->Queue.empty())
+    {
+      this->Fetch(this->Queue.top().Cell);
+    }
+  }
+
   /** The given depth, or the one in the hierarchy. */
   double ComputeDepth(int cell, double hierarchical) const
   {
@@ -117,19 +176,20 @@ private:
   /** Equation (2). */
   double ComputePriority(int cell, double depth) const
   {
+    const double measure = this->Cells[cell].Priority;
     const double exponent = this->Options.DepthExponent;
-    return exponent == 0.0 ? this->Measure[cell] : this->Measure[cell] * std::pow(depth, -exponent);
+    return exponent == 0.0 ? measure : measure * std::pow(depth, -exponent);
   }
 
   /** One more face of the cell adjoins the exterior. */
   void Expose(int cell, double hierarchicalDepth)
   {
-    if (++this->Degree[cell] == 1)
+    State<D>& state = this->Cells[cell];
+    if (++state.Degree == 1)
     {
-      const double depth = this->ComputeDepth(cell, hierarchicalDepth);
-      this->Out.Depth[cell] = depth;
-      this->Out.Priority[cell] = this->ComputePriority(cell, depth);
-      this->Queue.push({ this->Out.Priority[cell], cell });
+      state.Depth = this->ComputeDepth(cell, hierarchicalDepth);
+      state.Priority = this->ComputePriority(cell, state.Depth);
+      this->Queue.push({ state.Priority, cell });
     }
   }
 
@@ -137,11 +197,9 @@ private:
   template <class Visitor>
   void ForEachCarvableNeighbor(int cell, Visitor&& visit)
   {
-    for (int f = 0; f <= D; ++f)
+    for (const int neighbor : this->Cells[cell].Next)
     {
-      const int neighbor = this->Mesh.Neighbors[cell][f];
-      if (neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 &&
-        this->Out.Step[neighbor] == Stream::Never && !this->Mesh.IsKept(neighbor))
+      if (neighbor >= 0 && this->Cells[neighbor].Step == Stream::Never)
       {
         visit(neighbor);
       }
@@ -155,13 +213,17 @@ private:
     const Point center = radius > 0.0 ? this->Mesh.Centroid(taken[0]) : Point();
     for (std::size_t i = 0; i < taken.size(); ++i)
     {
+      for (const int neighbor : this->Cells[taken[i]].Next)
+      {
+        this->Fetch(std::max(neighbor, 0)); // all at once, before they are waited for one by one
+      }
       this->ForEachCarvableNeighbor(taken[i],
         [&](int neighbor)
         {
-          this->Expose(neighbor, this->Out.Depth[taken[i]] + 1.0);
+          this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
           if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius)
           {
-            this->Out.Step[neighbor] = step;
+            this->Cells[neighbor].Step = step;
             taken.push_back(neighbor);
           }
         });
@@ -179,11 +241,11 @@ private:
         {
           if (i >= walked) // the walk has counted the faces of its own neighbors
           {
-            this->Expose(neighbor, this->Out.Depth[taken[i]] + 1.0);
+            this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
           }
-          if (this->Degree[neighbor] > 1)
+          if (this->Cells[neighbor].Degree > 1)
           {
-            this->Out.Step[neighbor] = step;
+            this->Cells[neighbor].Step = step;
             taken.push_back(neighbor);
           }
         });
@@ -193,8 +255,7 @@ private:
   const Decomposition<D>& Mesh;
   const CarveOptions& Options;
   Stream& Out;
-  std::vector<double> Measure;
-  std::vector<unsigned char> Degree;
+  std::vector<State<D>> Cells;
   std::priority_queue<Entry> Queue;
   int NumberToCarve = 0;
 };

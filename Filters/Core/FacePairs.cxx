@@ -2,7 +2,9 @@
 #include "FacePairs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace carving
 {
@@ -33,6 +35,7 @@ public:
 
 private:
   using Ridge = std::array<int, D - 1>;
+  using SideAt = std::pair<int, int>; ///< the last corner of its ridge, the side
 
   /** Groups the sides of all faces by their ridges; joins the two of a regular one. */
   void FindRidges()
@@ -47,39 +50,41 @@ private:
     }
     std::partial_sum(ends.begin(), ends.end(), ends.begin());
     const std::vector<int> begins = ends;
-    std::vector<int> sides(numberOfSides);
+    std::vector<SideAt> sides(numberOfSides);
     for (int side = 0; side < numberOfSides; ++side)
     {
-      sides[ends[ridges[side][0]]++] = side;
+      sides[ends[ridges[side][0]]++] = { ridges[side].back(), side };
     }
     for (std::size_t vertex = 0; vertex + 1 < begins.size(); ++vertex)
     {
       const auto end = sides.begin() + begins[vertex + 1];
       auto first = sides.begin() + begins[vertex];
-      std::sort(first, end,
-        [&](int a, int b) { return ridges[a] != ridges[b] ? ridges[a] < ridges[b] : a < b; });
+      std::sort(first, end);
       while (first != end)
       {
-        const auto last =
-          std::find_if(first, end, [&](int side) { return ridges[side] != ridges[*first]; });
-        this->PairGroup({ first, last });
+        const auto last = std::find_if(
+          first, end, [last = first->first](const SideAt& side) { return side.first != last; });
+        this->PairGroup(first, last);
         first = last;
       }
     }
   }
 
-  void PairGroup(const std::vector<int>& group)
+  template <class Iterator>
+  void PairGroup(Iterator first, Iterator last)
   {
-    if (group.size() > 2 || (group.size() == 2 && !this->PairIfAlike(group)))
+    const auto count = last - first;
+    if (count > 2 || (count == 2 && !this->PairIfAlike(first[0].second, first[1].second)))
     {
-      this->Pairs.Crowded.push_back(group);
+      std::vector<int>& group = this->Pairs.Crowded.emplace_back();
+      std::transform(
+        first, last, std::back_inserter(group), [](const SideAt& side) { return side.second; });
     }
   }
 
   /** Joins two faces of one kind if they pass their ridge in opposite directions. */
-  bool PairIfAlike(const std::vector<int>& sides)
+  bool PairIfAlike(int a, int b)
   {
-    const int a = sides[0], b = sides[1];
     const bool alike = FaceAt<D>(this->Shown, a).Fold == FaceAt<D>(this->Shown, b).Fold &&
       IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b);
     if (alike)
@@ -103,7 +108,7 @@ private:
     }
     if (others.size() == 2)
     {
-      this->PairIfAlike(others);
+      this->PairIfAlike(others[0], others[1]);
     }
     else
     {
@@ -111,7 +116,7 @@ private:
     }
     if (folds.size() == 2)
     {
-      this->PairIfAlike(folds);
+      this->PairIfAlike(folds[0], folds[1]);
     }
   }
 

@@ -79,15 +79,13 @@ void ForEachFace(
     }
     for (int f = 0; f <= D; ++f)
     {
-      if (mesh.Constraints[cell][f] < 0)
+      const int neighbor = mesh.Neighbors[cell][f];
+      const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
+      // First what hardly any face of a single level gets past.
+      if (birth <= last && birth < death && mesh.Constraints[cell][f] < 0)
       {
-        const int neighbor = mesh.Neighbors[cell][f];
-        const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
-        if (birth < death && birth <= last)
-        {
-          visit(FaceLife<D>{
-            mesh.OutwardFace(cell, f), -1, HalfFace<D>::Of(cell, f), false, birth, death });
-        }
+        visit(FaceLife<D>{
+          mesh.OutwardFace(cell, f), -1, HalfFace<D>::Of(cell, f), false, birth, death });
       }
     }
   }

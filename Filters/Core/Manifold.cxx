@@ -46,9 +46,11 @@ private:
       {
         continue;
       }
-      for (const int vertex : RidgeAt<D>(this->Shown, side))
+      for (int k = 1; k < D; ++k)
       {
-        sets.Unite(this->CornerAt(side, vertex), this->CornerAt(partner, vertex));
+        const int corner = side / D * D + (side % D + k) % D;
+        const int vertex = FaceAt<D>(this->Shown, corner).Corners[corner % D];
+        sets.Unite(corner, this->CornerAt(partner, vertex));
       }
     }
     return sets;

@@ -95,6 +95,9 @@ StoredStream<D> Store(
   result.Mesh.Surface = mesh.Surface;
   result.Order.StepPriority = stream.StepPriority;
   const bool all = !mesh.Kept.empty();
+  const auto reserve = [numberOfCells](auto&... arrays) { (arrays.reserve(numberOfCells), ...); };
+  reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Mesh.Constraints, result.Regions,
+    result.Order.Step, result.Order.Priority, result.Order.Depth);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     if (all || regions.Kind(cell) != RegionKind::Solid)

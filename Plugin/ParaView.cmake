@@ -10,14 +10,13 @@ find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManage
 find_package(Qt5 QUIET COMPONENTS Widgets)
 if (TARGET Qt5::Widgets AND TARGET ParaView::pqCore)
   set(TOPOLOGYCARVING_WINDOW ON)
-  # Debian's packages for development name dependencies of ParaView's window that they do not bring along,
-  # which is why pqCore cannot be asked for above. Nothing of them is used here.
-  foreach (target IN ITEMS
-      Boost::boost LibXml2::LibXml2 NetCDF::NetCDF Qt5::OpenGL hdf5::hdf5 hdf5::hdf5_hl)
-    if (NOT TARGET "${target}")
-      add_library("${target}" INTERFACE IMPORTED)
-    endif ()
-  endforeach ()
+  # These cannot be asked for above: what they depend on wants packages that paraview-dev does not bring
+  # along. It is not needed for what is used of them.
+  get_target_property(includes ParaView::qttesting INTERFACE_INCLUDE_DIRECTORIES)
+  set_target_properties(ParaView::pqComponents ParaView::pqCore PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${includes}"
+    INTERFACE_LINK_LIBRARIES      "Qt5::Widgets;$<TARGET_FILE:ParaView::RemotingViews>"
+    IMPORTED_LINK_DEPENDENT_LIBRARIES_DEBUG "")
 else ()
   set(TOPOLOGYCARVING_WINDOW OFF)
   message(WARNING "The plugin will not add to ParaView's window: its button beside the progress bar will "

@@ -76,8 +76,10 @@
  * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and
  * the profile of each.
  *
- * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: a point that is not
- * finite, a mesh that lies in one plane, a helper program that is missing, dies or gives up.
+ * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: input that is not
+ * polygonal, a point that is not finite or has a coordinate above 1e38, a cell with a point that there is
+ * not, a mesh that lies in one plane, a helper program that is missing, dies, gives up or reaches a limit.
+ * README.md lists all messages.
  */
 #ifndef vtkTopologyCarver_h
 #define vtkTopologyCarver_h

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Apart.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -27,10 +29,11 @@ void Limit(const Limits& limits)
 {
   if (limits.Seconds > 0.0)
   {
-    const double whole = static_cast<double>(static_cast<long>(limits.Seconds));
+    const double seconds = std::min(limits.Seconds, 1e9); // what the timer can count
+    const double whole = std::floor(seconds);
     itimerval timer = {};
     timer.it_value.tv_sec = static_cast<time_t>(whole);
-    timer.it_value.tv_usec = static_cast<suseconds_t>(1e6 * (limits.Seconds - whole)) + 1;
+    timer.it_value.tv_usec = static_cast<suseconds_t>(999998.0 * (seconds - whole)) + 1;
     setitimer(ITIMER_REAL, &timer, nullptr); // its signal ends the process
   }
   LimitMemory(limits.Mebibytes);
@@ -65,7 +68,7 @@ void LimitMemory(double mebibytes)
 {
   if (mebibytes > 0.0)
   {
-    const rlim_t bytes = static_cast<rlim_t>(mebibytes * 1024.0 * 1024.0);
+    const rlim_t bytes = static_cast<rlim_t>(std::min(mebibytes * 1024.0 * 1024.0, 1e18));
     const rlimit limit = { bytes, bytes };
     setrlimit(RLIMIT_AS, &limit);
   }

@@ -241,6 +241,19 @@ TEST(Faults, ReportsALimitThatIsReached)
   }
 }
 
+// Limits beyond what the system can count are none.
+TEST(Faults, TakesAnyLimit)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(TwoBoxes());
+  carver->SetTimeLimit(std::numeric_limits<double>::max());
+  carver->SetMemoryLimit(std::numeric_limits<double>::max());
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+}
+
 // Where a job, or a reply, cannot be written, that is an error that says so.
 TEST(Faults, ReportsThatThereIsNoRoom)
 {

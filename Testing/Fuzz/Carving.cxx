@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carving.h"
 
+#include "StreamTopology.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -41,6 +43,7 @@ Carving<D> CarveWith(Bytes& bytes, const Decomposition<D>& mesh)
   result.Stored.Measure = options.Measure;
   result.Stored.Folds = bytes.Bit() ? FoldSides::Both : FoldSides::One;
   result.Profile = ComputeProfile(result.Stored);
+  SetTopology(result.Profile, mesh, regions, stream);
   const int last = result.Profile.LastStep();
   result.Steps = SpreadLevels(result.Profile, 1 + bytes.Below(5));
   for (const LevelTarget type :

@@ -11,6 +11,7 @@
 #include "ManifoldCheck.h"
 #include "Validity.h"
 
+#include <algorithm>
 #include <cstdint>
 
 using namespace carving;
@@ -30,6 +31,26 @@ void CheckLevel(const Carving<D>& carved, int step)
   {
     Require(checks::FindFaults(level, cut) == checks::ManifoldFaults());
   }
+}
+
+/** Voids never become fewer, nor do components where all points are of M; volume never grows. */
+template <int D>
+void CheckProfile(const Profile& profile, const ResolvedInput<D>& surface)
+{
+  std::vector<char> used(surface.Points.size(), 0);
+  for (const auto& facet : surface.Facets)
+  {
+    for (const int corner : facet)
+    {
+      used[corner] = 1;
+    }
+  }
+  const bool allUsed = std::find(used.begin(), used.end(), 0) == used.end();
+  Require(!allUsed || std::is_sorted(profile.Components.begin(), profile.Components.end()));
+  Require(std::is_sorted(profile.Voids.begin(), profile.Voids.end()));
+  Require(std::is_sorted(profile.Volume.rbegin(), profile.Volume.rend()));
+  Require(std::all_of(
+    profile.Tunnels.begin(), profile.Tunnels.end(), [](int tunnels) { return tunnels >= 0; }));
 }
 
 /** The chain passes approximations of the profile's sizes, forward and backward. */
@@ -80,6 +101,7 @@ void Check(Bytes& bytes)
   {
     CheckLevel(carved, step);
   }
+  CheckProfile(carved.Profile, mesh.Surface);
   CheckChain(carved);
   CheckRestoring(carved.Stored);
 }

@@ -62,6 +62,7 @@ void DrawSettings(std::mt19937_64& random, vtkTopologyCarver* carver)
   carver->SetCarveVoids(below(2) != 0);
   carver->SetManifoldOutput(below(2) != 0);
   carver->SetAppendInput(below(2) != 0);
+  carver->SetEnclosingTolerance(0.01 * (1 + below(10)));
   carver->SetNumberOfLevels(4);
   // Both sides of a fold cancel each other in what follows, so that folds bound nothing.
   carver->KeepBothFoldSidesOn();

@@ -58,8 +58,7 @@ public:
   ///@{
   /**
    * The number of vertices, triangles, tunnels or components, the length or the step that picks the level,
-   * 0 or more. A
-   * target that cannot be met gives the nearest level and a warning. Default 1000.
+   * 0 or more. A target that cannot be met gives the nearest level and a warning. Default 1000.
    */
   vtkSetClampMacro(LevelTarget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LevelTarget, double);

@@ -5,10 +5,13 @@
  */
 #include "FilterTesting.h"
 
+#include "vtkCellArray.h"
+#include "vtkContourCarver.h"
 #include "vtkDataArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -16,6 +19,7 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace
 {
@@ -173,6 +177,37 @@ TEST(LevelTopology, ComputesTheErrorOnRequest)
   EXPECT_EQ(error(1), 0.0);
   auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
   EXPECT_EQ(profile->GetValueByName(0, "Error").ToDouble(), error(0));
+}
+
+// In a plane likewise: squares with a gap of width 1 between them.
+TEST(LevelTopology, ComputesTheErrorOfContours)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> polys;
+  for (const double x : { 0.0, 2.0 })
+  {
+    polys->InsertNextCell(4);
+    for (const auto& [dx, y] :
+      { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
+    {
+      polys->InsertCellPoint(points->InsertNextPoint(x + dx, y, 5.0));
+    }
+  }
+  vtkNew<vtkPolyData> squares;
+  squares->SetPoints(points);
+  squares->SetPolys(polys);
+  vtkNew<vtkContourCarver> carver;
+  carver->SetInputData(squares);
+  carver->ComputeErrorOn();
+  carver->Update();
+  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+  const vtkIdType last = profile->GetNumberOfRows() - 1;
+  EXPECT_GE(profile->GetValueByName(0, "Error").ToDouble(), 0.5 * (1.0 - 1e-12));
+  EXPECT_LE(profile->GetValueByName(0, "Error").ToDouble(), 0.505);
+  EXPECT_EQ(profile->GetValueByName(last, "Error").ToDouble(), 0.0);
+  EXPECT_EQ(profile->GetValueByName(0, "Volume").ToDouble(), 3.0);
+  EXPECT_EQ(profile->GetValueByName(last, "Volume").ToDouble(), 2.0);
+  EXPECT_EQ(profile->GetValueByName(last, "Components").ToInt(), 2);
 }
 
 // In enclosing mode the distance is that from the mesh as given, which levels only come near; a bound

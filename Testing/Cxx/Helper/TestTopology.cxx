@@ -22,12 +22,16 @@ using namespace carving;
 namespace
 {
 
-/** Ten steps, those of ten levels. */
-Profile ExpectTopologyOfTenSteps(const TriangleMesh& mesh)
+Carved CarveMesh(const TriangleMesh& mesh)
 {
   const HelperRun run = RunHelper(mesh);
   EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  const Carved carved = CarveResult(run.Reply.Result);
+  return CarveResult(run.Reply.Result);
+}
+
+/** Ten steps, those of ten levels. */
+Profile ExpectTopologyOfTenSteps(const Carved& carved)
+{
   const std::vector<int> steps = SpreadLevels(carved.Profile, 10);
   EXPECT_EQ(steps.size(), 10u);
   for (const int step : steps)
@@ -65,25 +69,35 @@ TriangleMesh NestedShells(const std::vector<double>& radii)
 
 } // namespace
 
-// Cheese ends as one piece with its 133 tunnels.
+// Cheese ends as one piece with its 133 tunnels. What a target of tunnels picks has no more of them, and
+// what comes next has.
 TEST(Topology, OfCheese)
 {
-  const Profile profile = ExpectTopologyOfTenSteps(ReadReal("cheese.off"));
+  const Carved carved = CarveMesh(ReadReal("cheese.off"));
+  const Profile profile = ExpectTopologyOfTenSteps(carved);
   EXPECT_EQ(profile.Components.back(), 1);
   EXPECT_EQ(profile.Tunnels.back(), 133);
   EXPECT_EQ(profile.Voids.back(), 0);
+  for (const int tunnels : { 0, 10, 50 })
+  {
+    const int step = SelectStep(profile, LevelTarget::Genus, tunnels).Step;
+    ExpectTopology(carved, step);
+    EXPECT_LE(profile.Tunnels[step], tunnels);
+    ExpectTopology(carved, step + 1);
+    EXPECT_GT(profile.Tunnels[step + 1], tunnels);
+  }
 }
 
 // Bones, which cross each other in places, have the Betti numbers of boundary matrices at ten steps.
 TEST(Topology, OfBones)
 {
-  ExpectTopologyOfTenSteps(ReadReal("bones.off"));
+  ExpectTopologyOfTenSteps(CarveMesh(ReadReal("bones.off")));
 }
 
 // Eight spheres end apart.
 TEST(Topology, OfEightSpheres)
 {
-  const Profile profile = ExpectTopologyOfTenSteps(models::EightSpheres());
+  const Profile profile = ExpectTopologyOfTenSteps(CarveMesh(models::EightSpheres()));
   EXPECT_EQ(profile.Components.back(), 8);
   EXPECT_EQ(profile.Tunnels.back(), 0);
   EXPECT_EQ(profile.Voids.back(), 0);
@@ -92,7 +106,8 @@ TEST(Topology, OfEightSpheres)
 // Two shells, one in the other, and a ball in both: three pieces, around two voids.
 TEST(Topology, OfNestedShells)
 {
-  const Profile profile = ExpectTopologyOfTenSteps(NestedShells({ 3.0, 2.6, 2.2, 1.8, 1.0 }));
+  const Profile profile =
+    ExpectTopologyOfTenSteps(CarveMesh(NestedShells({ 3.0, 2.6, 2.2, 1.8, 1.0 })));
   EXPECT_EQ(profile.Components.back(), 3);
   EXPECT_EQ(profile.Tunnels.back(), 0);
   EXPECT_EQ(profile.Voids.back(), 2);

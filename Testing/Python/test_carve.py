@@ -127,7 +127,8 @@ class TestCarve(unittest.TestCase):
         for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES",
                      "--output", "--levels", "--vertices", "--triangles", "--initial-approximation",
                      "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
-                     "--carve-exposed", "--carve-voids", "--solid-rule"):
+                     "--carve-exposed", "--carve-voids", "--solid-rule", "--genus", "--components", "--error-bound",
+                     "--compute-error", "--profile"):
             self.assertIn(word, run.stdout)
 
     def test_writes_the_profile(self):

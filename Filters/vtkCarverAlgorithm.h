@@ -178,8 +178,8 @@ public:
   ///@{
   /**
    * What is done with a mesh that TetGen does not cope with; of no effect on contours.
-   * - EXACT: TetGen is tried with up to six orders of the points and triangles; then it is an error. The
-   *   last level is M.
+   * - EXACT: TetGen is tried with up to six orders of the points and triangles, then with vertices added
+   *   on the triangles, up to 10 times M's own and 100,000; then it is an error. The last level is M.
    * - ENCLOSING: Delaunay, which never fails. Tetrahedra that M pierces are kept for good: levels enclose
    *   M and do not cross themselves, but the last only comes near M (see EnclosingTolerance).
    * - AUTO (default): EXACT; where that fails, takes too long or M crosses itself in so many places that

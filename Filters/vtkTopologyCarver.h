@@ -33,7 +33,8 @@
  *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point.
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
  *   "input" for the level that AppendInput appends), `Rung` (how the
- *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "Delaunay, enclosing"),
+ *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcM" where vertices
+ *   were added on its triangles, "Delaunay, enclosing"),
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
  *   from it, to 5 %), `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0); `Components`, `Genus` and `Voids` of the closed complex K_i, and

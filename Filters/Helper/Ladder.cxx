@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 using namespace carving;
 
@@ -19,13 +20,19 @@ namespace
 {
 
 constexpr int NumberOfOrders = 6;
+constexpr int NumberOfSplitOrders = 2;
 /** Auto does not resolve where there are so many crossings for a triangle. */
 constexpr double TooManyCrossings = 2.0;
 
-/** Time enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles. */
-double PatienceOfAttempt(const Job& job, std::size_t numberOfFacets)
+/**
+ * Time enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles, a hundred
+ * times that where it puts points on them, and for ever where it never ends to.
+ */
+double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
 {
-  const double patience = 10.0 + 1e-4 * static_cast<double>(numberOfFacets);
+  const double patience = surfacePoints == SurfacePoints::None
+    ? 10.0 + 1e-4 * static_cast<double>(numberOfFacets)
+    : 3.0 + 5e-4 * static_cast<double>(numberOfFacets);
   return job.TimeLimit > 0.0             ? job.TimeLimit
     : job.Conformity == Conformity::Auto ? patience
                                          : 6.0 * patience;
@@ -34,7 +41,7 @@ double PatienceOfAttempt(const Job& job, std::size_t numberOfFacets)
 /** For resolving and all attempts together. */
 double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
 {
-  return job.Conformity == Conformity::Auto ? 25.0 + 2e-4 * static_cast<double>(numberOfFacets)
+  return job.Conformity == Conformity::Auto ? 30.0 + 2e-4 * static_cast<double>(numberOfFacets)
                                             : 0.0;
 }
 
@@ -67,51 +74,38 @@ std::vector<int> Order(std::size_t size, int seed)
   return order;
 }
 
-/** Tetrahedralizes M with its points and triangles in the order of a seed, 0 for their own. */
-std::string TetrahedralizeInOrder(
-  int seed, const std::vector<Point>& further, Tetrahedralization& result)
+template <class Value>
+std::vector<Value> InOrder(const std::vector<int>& order, const std::vector<Value>& values)
 {
-  ResolvedMesh& surface = result.Surface;
-  const std::size_t count = surface.Points.size();
-  const std::vector<int> points = Order(count, seed), facets = Order(surface.Facets.size(), seed);
-  std::vector<int> places(count);
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<Value> result;
+  result.reserve(values.size());
+  for (const int i : order)
+  {
+    result.push_back(values[i]);
+  }
+  return result;
+}
+
+/** Puts the points and the facets in the order of a seed, 0 for their own. */
+void Shuffle(int seed, ResolvedMesh& surface)
+{
+  const std::vector<int> points = Order(surface.Points.size(), seed),
+                         facets = Order(surface.Facets.size(), seed);
+  std::vector<int> places(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
     places[points[i]] = static_cast<int>(i);
   }
-  Tetrahedralization shuffled;
-  for (const int i : points)
+  for (Triangle& t : surface.Facets)
   {
-    shuffled.Surface.Points.push_back(surface.Points[i]);
+    t = { places[t[0]], places[t[1]], places[t[2]] };
   }
-  for (const int i : facets)
-  {
-    const Triangle& t = surface.Facets[i];
-    shuffled.Surface.Facets.push_back({ places[t[0]], places[t[1]], places[t[2]] });
-  }
-  const std::string error = Tetrahedralize(further, shuffled);
-  surface.Points.insert(surface.Points.end(),
-    shuffled.Surface.Points.begin() + static_cast<std::ptrdiff_t>(count),
-    shuffled.Surface.Points.end());
-  surface.PointSources.resize(surface.Points.size(), -1);
-  result.Cells = std::move(shuffled.Cells);
-  result.Neighbors = std::move(shuffled.Neighbors);
-  result.Constraints = std::move(shuffled.Constraints);
-  for (auto& cell : result.Cells)
-  {
-    for (int& corner : cell)
-    {
-      corner = corner < static_cast<int>(count) ? points[corner] : corner;
-    }
-  }
-  for (auto& constraints : result.Constraints)
-  {
-    for (int& facet : constraints)
-    {
-      facet = facet < 0 ? facet : facets[facet];
-    }
-  }
-  return error;
+  surface.Points = InOrder(points, surface.Points);
+  surface.PointSources = InOrder(points, surface.PointSources);
+  surface.Facets = InOrder(facets, surface.Facets);
+  surface.FacetSources = InOrder(facets, surface.FacetSources);
+  surface.Windings = InOrder(facets, surface.Windings);
+  surface.Counts = InOrder(facets, surface.Counts);
 }
 
 std::vector<Point> FurtherPoints(const Job& job, const std::vector<Point>& points)
@@ -132,10 +126,12 @@ bool HandOver(const Reply& reply, const LadderHost& host, Messages& messages)
 }
 
 /** One attempt, in a process of its own. */
-bool Attempt(int order, const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& reply,
+  const LadderHost& host, Messages& messages)
 {
+  Shuffle(order, reply.Result.Surface);
   reply.Error =
-    TetrahedralizeInOrder(order, FurtherPoints(job, reply.Result.Surface.Points), reply.Result);
+    Tetrahedralize(FurtherPoints(job, reply.Result.Surface.Points), surfacePoints, reply.Result);
   if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
   {
     reply.Error = RemoveOutsideOfInitial(reply.Result);
@@ -178,20 +174,27 @@ bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& 
   }
   host.End();
   host.Begin(Stage::Tetrahedralize);
-  const Limits limits = { PatienceOfAttempt(job, reply.Result.Surface.Facets.size()),
-    job.MemoryLimit };
-  for (int order = 0; order < NumberOfOrders; ++order)
+  for (const auto& [rung, orders, surfacePoints] :
+    { std::tuple("TetGen -pcY", NumberOfOrders, SurfacePoints::None),
+      std::tuple("TetGen -pcM", NumberOfSplitOrders, SurfacePoints::Allowed) })
   {
-    reply.Rung = order == 0 ? "TetGen -pcY" : "TetGen -pcY, order " + std::to_string(order);
-    const std::string end =
-      RunApart(limits, [&] { return Attempt(order, job, reply, host, messages); });
-    if (end.empty())
+    const Limits limits = {
+      PatienceOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size()), job.MemoryLimit
+    };
+    for (int order = 0; order < orders; ++order)
     {
-      return true;
-    }
-    if (end != "failed") // which has said why
-    {
-      messages.Add(reply.Rung + ": TetGen " + end);
+      reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
+      const std::string end = RunApart(limits,
+        [&, order = order, surfacePoints = surfacePoints]
+        { return Attempt(order, surfacePoints, job, reply, host, messages); });
+      if (end.empty())
+      {
+        return true;
+      }
+      if (end != "failed") // which has said why
+      {
+        messages.Add(reply.Rung + ": TetGen " + end);
+      }
     }
   }
   return false;

@@ -3,6 +3,7 @@
 
 #include "Kernels.h"
 #include "Protocol.h"
+#include "SplitFacets.h"
 #include "Vector.h"
 
 #include <tetgen.h>
@@ -36,6 +37,7 @@ void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& su
   std::copy_n(points.front().data(), 3 * points.size(), io.pointlist);
   io.numberoffacets = static_cast<int>(surface.Facets.size());
   io.facetlist = new tetgenio::facet[surface.Facets.size()];
+  io.facetmarkerlist = new int[surface.Facets.size()];
   for (int i = 0; i < io.numberoffacets; ++i)
   {
     tetgenio::facet& facet = io.facetlist[i];
@@ -46,6 +48,7 @@ void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& su
     polygon.numberofvertices = 3;
     polygon.vertexlist = new int[3];
     std::copy_n(surface.Facets[i].data(), 3, polygon.vertexlist);
+    io.facetmarkerlist[i] = i + 1; // 0: the hull's
   }
 }
 
@@ -108,6 +111,12 @@ Triangle Sorted(Triangle t)
   return t;
 }
 
+/** More points than that are of no use to anybody. */
+std::size_t MaximumPoints(std::size_t numberOfPoints)
+{
+  return 10 * numberOfPoints + 100000;
+}
+
 /** Finds M's triangles among the faces; returns how many are missing. */
 std::size_t FindConstraints(Tetrahedralization& result)
 {
@@ -167,20 +176,22 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
     : "";
 }
 
-std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization& result)
+std::string Tetrahedralize(
+  const std::vector<Point>& further, SurfacePoints surfacePoints, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
+  const std::size_t mostPoints = surface.Points.size() + MaximumPoints(surface.Points.size());
   std::vector<Point> points = surface.Points;
   points.insert(points.end(), further.begin(), further.end());
   tetgenio in, out;
   Fill(in, points, surface);
   // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
   // optimization, it costs ten times the rest; T: the default tolerance merges near vertices;
-  // n: neighbors; J: keep the numbering of points; Q: quiet.
-  char switches[] = "pcYO0/0T1e-14nJQ";
+  // n: neighbors; J: keep the numbering of points; Q: quiet; M: no facets merged that are nearly coplanar.
+  char whole[] = "pcYO0/0T1e-14nJQ", split[] = "pcMO0/0T1e-14nJQ";
   try
   {
-    tetrahedralize(switches, &in, &out);
+    tetrahedralize(surfacePoints == SurfacePoints::None ? whole : split, &in, &out);
   }
   catch (int code)
   {
@@ -188,11 +199,33 @@ std::string Tetrahedralize(const std::vector<Point>& further, Tetrahedralization
     return code == outOfMemory ? "TetGen ran out of memory"
                                : "TetGen gave up with code " + std::to_string(code);
   }
+  if (static_cast<std::size_t>(out.numberofpoints) > mostPoints)
+  {
+    return "TetGen needed " + std::to_string(out.numberofpoints) + " points for " +
+      std::to_string(surface.Points.size());
+  }
   for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
   {
     const REAL* p = out.pointlist + 3 * i;
     surface.Points.push_back({ p[0], p[1], p[2] });
     surface.PointSources.push_back(-1);
+  }
+  if (surfacePoints == SurfacePoints::Allowed)
+  {
+    std::vector<FacetPart> parts;
+    for (int i = 0; i < out.numberoftrifaces; ++i)
+    {
+      const int* c = out.trifacelist + 3 * i;
+      if (out.trifacemarkerlist[i] > 0)
+      {
+        parts.push_back({ { c[0], c[1], c[2] }, out.trifacemarkerlist[i] - 1 });
+      }
+    }
+    const std::string error = ReplaceByParts(parts, surface);
+    if (!error.empty())
+    {
+      return "TetGen lost a triangle of the mesh: " + error;
+    }
   }
   CopyCells(out, result);
   if (const std::size_t missing = FindConstraints(result))

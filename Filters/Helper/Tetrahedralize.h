@@ -11,16 +11,23 @@
 std::string CheckVolume(
   const carving::ResolvedMesh& surface, const std::vector<carving::Point>& further);
 
+/** Whether TetGen may put points on the surface. */
+enum class SurfacePoints
+{
+  None,   ///< every triangle of the mesh is a face
+  Allowed ///< every triangle is a union of faces, which take its place in the surface
+};
+
 /**
- * Constrained Delaunay tetrahedralization of the convex hull of a resolved mesh and of further points,
- * by TetGen and without Steiner points on the surface: every triangle of the mesh is a face of it.
+ * Constrained Delaunay tetrahedralization of the convex hull of a resolved mesh and of further points, by
+ * TetGen.
  *
  * Fills the other members of `result`, whose `Surface` is given, and appends the further points and
- * Steiner points, all of them off the surface. Returns an empty string or what went wrong. Where TetGen fails it may as
- * well end the process: its assertions are on, and it frees memory twice when it gives up.
+ * Steiner points. Returns an empty string or what went wrong. Where TetGen fails it may as well end the
+ * process: its assertions are on, and it frees memory twice when it gives up.
  */
-std::string Tetrahedralize(
-  const std::vector<carving::Point>& further, carving::Tetrahedralization& result);
+std::string Tetrahedralize(const std::vector<carving::Point>& further, SurfacePoints surfacePoints,
+  carving::Tetrahedralization& result);
 
 /** The corners of the points' bounding box, grown by BoxMargin of its diagonal on every side. */
 std::vector<carving::Point> GrownBox(const std::vector<carving::Point>& points);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "SplitFacets.h"
+
+#include "Pierce.h"
+#include "Vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace carving;
+
+namespace
+{
+
+using Corners = std::array<Point, 3>;
+
+Corners CornersOf(const ResolvedMesh& mesh, const Triangle& t)
+{
+  return { mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]] };
+}
+
+Corners3 ToInexact(const Corners& t)
+{
+  return { ::ToInexact(t[0]), ::ToInexact(t[1]), ::ToInexact(t[2]) };
+}
+
+double Perimeter(const Corners& t)
+{
+  return Length(t[1] - t[0]) + Length(t[2] - t[1]) + Length(t[0] - t[2]);
+}
+
+double DistanceToEdge(const Point& a, const Point& b, const Point& p)
+{
+  const Point edge = b - a;
+  const double t = std::clamp(Dot(p - a, edge) / Dot(edge, edge), 0.0, 1.0);
+  return Length(p - Point{ a[0] + t * edge[0], a[1] + t * edge[1], a[2] + t * edge[2] });
+}
+
+/** A sliver hardly knows its plane: what is at an edge of it is on it in any case. */
+bool IsOn(const Corners& t, const Point& p, double rounding)
+{
+  const Point normal = Cross(t[1] - t[0], t[2] - t[0]);
+  return std::abs(Dot(p - t[0], normal)) <= rounding * Length(normal) ||
+    DistanceToEdge(t[0], t[1], p) <= rounding || DistanceToEdge(t[1], t[2], p) <= rounding ||
+    DistanceToEdge(t[2], t[0], p) <= rounding;
+}
+
+double TwiceArea(const Corners& t)
+{
+  return Length(Cross(t[1] - t[0], t[2] - t[0]));
+}
+
+} // namespace
+
+std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& surface)
+{
+  Point lower, upper;
+  GetBounds(surface.Points, lower, upper);
+  const double rounding = 1e-12 * (Length(lower) + Length(upper) + Length(upper - lower));
+  ResolvedMesh split;
+  std::vector<double> uncovered, allowed;
+  for (const Triangle& t : surface.Facets)
+  {
+    const Corners corners = CornersOf(surface, t);
+    uncovered.push_back(TwiceArea(corners));
+    allowed.push_back(1e-9 * TwiceArea(corners) + rounding * Perimeter(corners));
+  }
+  for (const FacetPart& part : parts)
+  {
+    const Corners corners = CornersOf(surface, part.Corners),
+                  whole = CornersOf(surface, surface.Facets[part.Parent]);
+    for (const Point& corner : corners)
+    {
+      if (!IsOn(whole, corner, rounding))
+      {
+        return "the faces for triangle " + std::to_string(part.Parent) + " leave its plane";
+      }
+    }
+    uncovered[part.Parent] -= TwiceArea(corners);
+    allowed[part.Parent] += rounding * Perimeter(corners);
+    split.Facets.push_back(
+      FaceAlike(ToInexact(whole), ToInexact(corners)) ? part.Corners : Flipped<3>(part.Corners));
+    split.FacetSources.push_back(surface.FacetSources[part.Parent]);
+    split.Windings.push_back(surface.Windings[part.Parent]);
+    split.Counts.push_back(surface.Counts[part.Parent]);
+  }
+  for (std::size_t i = 0; i < uncovered.size(); ++i)
+  {
+    if (std::abs(uncovered[i]) > allowed[i])
+    {
+      return "the faces for triangle " + std::to_string(i) + " are not all of it";
+    }
+  }
+  split.Points = std::move(surface.Points);
+  split.PointSources = std::move(surface.PointSources);
+  surface = std::move(split);
+  return {};
+}

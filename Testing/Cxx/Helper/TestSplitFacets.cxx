@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplitFacets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+/** Two triangles with a common edge, and a point on it and one within the first. */
+ResolvedMesh TwoTriangles()
+{
+  ResolvedMesh mesh;
+  mesh.Points = { { 0, 0, 1 }, { 4, 0, 1 }, { 0, 4, 1 }, { 4, 0, 3 }, { 2, 0, 1 }, { 1, 1, 1 } };
+  mesh.PointSources = { 0, 1, 2, 3, -1, -1 };
+  mesh.Facets = { { 0, 1, 2 }, { 1, 0, 3 } };
+  mesh.FacetSources = { 7, 8 };
+  mesh.Windings = { 1, -2 };
+  mesh.Counts = { 1, 2 };
+  return mesh;
+}
+
+/** All that they are split into at these points, some of them the other way round. */
+std::vector<FacetPart> PartsOfBoth()
+{
+  return { { { 0, 4, 5 }, 0 }, { { 4, 5, 1 }, 0 }, { { 1, 2, 5 }, 0 }, { { 2, 0, 5 }, 0 },
+    { { 0, 4, 3 }, 1 }, { { 4, 3, 1 }, 1 } };
+}
+
+} // namespace
+
+// Parts face as their triangle does, whatever way they come, and know what it came from.
+TEST(SplitFacets, TakeTheFacetsPlace)
+{
+  ResolvedMesh mesh = TwoTriangles();
+  ASSERT_EQ(ReplaceByParts(PartsOfBoth(), mesh), "");
+  ASSERT_EQ(mesh.Facets.size(), 6u);
+  for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
+  {
+    const auto& [a, b, c] = mesh.Facets[i];
+    const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
+    const bool first = i < 4;
+    const int x = 0, y = first ? 1 : 2; // the plane of the first is z = 1, of the second y = 0
+    const double turn = (q[x] - p[x]) * (r[y] - p[y]) - (q[y] - p[y]) * (r[x] - p[x]);
+    EXPECT_EQ(turn > 0.0, first) << i;
+    EXPECT_EQ(mesh.FacetSources[i], first ? 7 : 8);
+    EXPECT_EQ(mesh.Windings[i], first ? 1 : -2);
+    EXPECT_EQ(mesh.Counts[i], first ? 1 : 2);
+  }
+  EXPECT_EQ(mesh.PointSources, TwoTriangles().PointSources);
+}
+
+// A triangle of which a part is missing, or that is covered twice, is noticed.
+TEST(SplitFacets, NoticeWhatIsMissing)
+{
+  for (std::size_t missing = 0; missing < PartsOfBoth().size(); ++missing)
+  {
+    std::vector<FacetPart> parts = PartsOfBoth();
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(missing));
+    ResolvedMesh mesh = TwoTriangles();
+    EXPECT_NE(ReplaceByParts(parts, mesh).find(missing < 4 ? "triangle 0" : "triangle 1"),
+      std::string::npos);
+    parts = PartsOfBoth();
+    parts.push_back(parts[missing]);
+    mesh = TwoTriangles();
+    EXPECT_NE(ReplaceByParts(parts, mesh), "");
+  }
+}
+
+// So is a part that lies in another plane.
+TEST(SplitFacets, NoticeAnotherPlane)
+{
+  ResolvedMesh mesh = TwoTriangles();
+  mesh.Points[5][2] += 1e-6;
+  EXPECT_NE(ReplaceByParts(PartsOfBoth(), mesh).find("leave its plane"), std::string::npos);
+}

@@ -31,7 +31,7 @@ constexpr double TooManyCrossings = 2.0;
 double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
 {
   const double patience = surfacePoints == SurfacePoints::None
-    ? 10.0 + 1e-4 * static_cast<double>(numberOfFacets)
+    ? 5.0 + 1e-4 * static_cast<double>(numberOfFacets)
     : 3.0 + 5e-4 * static_cast<double>(numberOfFacets);
   return job.TimeLimit > 0.0             ? job.TimeLimit
     : job.Conformity == Conformity::Auto ? patience
@@ -41,7 +41,7 @@ double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_
 /** For resolving and all attempts together. */
 double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
 {
-  return job.Conformity == Conformity::Auto ? 30.0 + 2e-4 * static_cast<double>(numberOfFacets)
+  return job.Conformity == Conformity::Auto ? 35.0 + 1.5e-4 * static_cast<double>(numberOfFacets)
                                             : 0.0;
 }
 

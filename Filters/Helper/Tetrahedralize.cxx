@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Tetrahedralize.h"
 
+#include "Hull.h"
 #include "Kernels.h"
 #include "Protocol.h"
 #include "SplitFacets.h"
@@ -228,6 +229,10 @@ std::string Tetrahedralize(
     }
   }
   CopyCells(out, result);
+  if (!FillHull(result))
+  {
+    return "TetGen left gaps between the tetrahedra";
+  }
   if (const std::size_t missing = FindConstraints(result))
   {
     return "TetGen lost " + std::to_string(missing) + " of " +

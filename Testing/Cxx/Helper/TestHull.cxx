@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HelperRun.h"
+#include "Hull.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace carving;
+
+// All tetrahedra fill the hull; where one is missing or there twice they do not.
+TEST(Hull, IsFilledByAllTetrahedra)
+{
+  Job job;
+  job.Mesh = models::Joined(models::Sphere(3), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  Tetrahedralization mesh = run.Reply.Result;
+  EXPECT_TRUE(FillHull(mesh));
+  const auto last = mesh.Cells.back();
+  mesh.Cells.pop_back();
+  EXPECT_FALSE(FillHull(mesh));
+  mesh.Cells.push_back(last);
+  mesh.Cells.push_back(last);
+  EXPECT_FALSE(FillHull(mesh));
+}

@@ -87,4 +87,9 @@ void AddSettings(
   AddFieldValue<vtkDoubleArray>(fieldData, "BreadthRadius", carve.BreadthRadius);
   AddFieldValue<vtkIntArray>(fieldData, "CarveExposed", carve.CarveExposed);
   AddFieldValue<vtkIntArray>(fieldData, "CarveVoids", carve.CarveVoids);
+  constexpr const char* budgets[] = { "MaximumComponents", "MaximumTunnels", "MaximumVoids" };
+  for (std::size_t i = 0; i < carve.Budget.size(); ++i)
+  {
+    AddFieldValue<vtkIntArray>(fieldData, budgets[i], carve.Budget[i]);
+  }
 }

@@ -48,6 +48,7 @@ struct CarverSession<D>::Result
   carving::StoredStream<D> Stream;
   carving::Profile Profile;
   int GuessedRegions = 0;
+  int LeftByBudget = 0;
 };
 
 /** Adds to the seconds of a stage while it lives. */
@@ -238,6 +239,11 @@ bool CarverSession<D>::Carve(const Leaf& leaf, Result& result)
   {
     return false;
   }
+  const carving::BettiNumbers& budget = options.Budget;
+  if (std::any_of(budget.begin(), budget.end(), [](int limit) { return limit >= 0; }))
+  {
+    result.LeftByBudget = carving::CountLeft(regions, options, stream);
+  }
   result.Stream = carving::Store(mesh, regions, stream);
   Kind<D>::Restore(leaf.Input, result.Stream.Mesh.Surface.Points);
   result.Stream.Measure = options.Measure;
@@ -308,8 +314,15 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     return false;
   }
   const Timer timer(*this, OutputStage);
-  AddNotes(leaf->Input.Notes, leaf->Reply, result.GuessedRegions, result.Profile.LastStep() == 0,
-    ports.Levels->GetFieldData());
+  std::vector<std::string> notes = leaf->Input.Notes;
+  if (result.LeftByBudget > 0)
+  {
+    notes.push_back("The budget of components, tunnels and voids leaves " +
+      std::to_string(result.LeftByBudget) + (D == 3 ? " tetrahedra" : " triangles") +
+      " that would exceed it: the last level is not the input.");
+  }
+  AddNotes(notes, leaf->Reply, result.GuessedRegions,
+    result.Profile.LastStep() == 0 && result.LeftByBudget == 0, ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(ports.Stream);
   FillStream(result.Stream, result.Profile, input, leaf->Input.CellIds, grid);
   AddSettings(this->Settings, leaf->Reply, grid->GetFieldData());

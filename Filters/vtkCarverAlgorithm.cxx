@@ -135,6 +135,7 @@ int vtkCarverAlgorithm::RequestData(
   settings.Carve.BreadthRadius = this->BreadthRadius;
   settings.Carve.CarveExposed = this->CarveExposed;
   settings.Carve.CarveVoids = this->CarveVoids;
+  settings.Carve.Budget = { this->MaximumComponents, this->MaximumTunnels, this->MaximumVoids };
   settings.DepthIsDistance = this->DepthMeasure == DISTANCE;
   settings.ComputeError = this->ComputeError;
   settings.NumberOfLevels = this->NumberOfLevels;
@@ -192,6 +193,9 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BreadthRadius: " << this->BreadthRadius << "\n";
   os << indent << "CarveExposed: " << (this->CarveExposed ? "On" : "Off") << "\n";
   os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
+  os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
+  os << indent << "MaximumTunnels: " << this->MaximumTunnels << "\n";
+  os << indent << "MaximumVoids: " << this->MaximumVoids << "\n";
   os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
   os << indent << "Conformity: " << conformities[this->Conformity] << "\n";
   os << indent << "EnclosingTolerance: " << this->EnclosingTolerance << "\n";

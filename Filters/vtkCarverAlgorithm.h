@@ -161,6 +161,28 @@ public:
 
   ///@{
   /**
+   * Budgets: the most connected components, tunnels (handles) and voids (hollows) that any level may have,
+   * as the closed complex of M, the solid and all that is not carved. A tetrahedron that would exceed one
+   * is left until that has changed, or for good, also where it is one of many in a step; so the last
+   * level need not be M, and a note says so. Components and tunnels are within the budget after cutting into
+   * manifolds, too, save for open sheets, which show as folds. With 1, 0 and 0 carving ends in a tight wrap
+   * of M without gaps or holes. -1, the default: no limit. The first level has one component, so that 0 components means
+   * 1. Tetrahedra are decided on in the order of their priorities: a budget goes to the widest gaps, not
+   * to those that would bring levels closest to M.
+   *
+   * In a plane, triangles take the place of tetrahedra, tunnels are the holes of what is left, and there
+   * are no voids.
+   */
+  vtkSetClampMacro(MaximumComponents, int, -1, VTK_INT_MAX);
+  vtkGetMacro(MaximumComponents, int);
+  vtkSetClampMacro(MaximumTunnels, int, -1, VTK_INT_MAX);
+  vtkGetMacro(MaximumTunnels, int);
+  vtkSetClampMacro(MaximumVoids, int, -1, VTK_INT_MAX);
+  vtkGetMacro(MaximumVoids, int);
+  ///@}
+
+  ///@{
+  /**
    * Which of the regions that M encloses are solid; the others are voids. What reaches the outside
    * without crossing M is neither.
    * - NONZERO_WINDING (default): where the winding number of M is at least one half in magnitude.
@@ -343,6 +365,9 @@ protected:
   double BreadthRadius = 0.0;
   bool CarveExposed = true;
   bool CarveVoids = true;
+  int MaximumComponents = -1;
+  int MaximumTunnels = -1;
+  int MaximumVoids = -1;
   int SolidRule = NONZERO_WINDING;
   int Conformity = AUTO;
   double EnclosingTolerance = 0.02;

@@ -125,6 +125,14 @@ PROPERTY OPTIONS
         Whether hollows that the mesh encloses are carved too. Default: on.
         (Section 3)
 
+    --maximum-components N
+    --maximum-tunnels N
+    --maximum-voids N
+        The most connected pieces, tunnels (handles) and hollows that any level may
+        have. What would exceed it is not carved, so that the last level may not be
+        the mesh. 1, 0 and 0 give a tight wrap of it without gaps or holes. Default:
+        -1, no limit.
+
     --solid-rule nonzero-winding|even-odd|surface-only
         What is solid of the space that the mesh encloses: where the mesh winds
         around, what an odd number of surfaces separates from the outside, or
@@ -280,6 +288,18 @@ std::string ParseShare(const std::string& name, const std::string& text, double&
     : "--" + name + " wants a number from 0 to 1, not \"" + text + "\"";
 }
 
+/** Below 0 there is but -1, for none. */
+std::string ParseLimit(const std::string& name, const std::string& text, int& value)
+{
+  double number = 0.0;
+  if (!ToNumber(text, number) || number < -1.0 || number > INT_MAX || number != std::floor(number))
+  {
+    return "--" + name + " wants a whole number, or -1 for no limit, not \"" + text + "\"";
+  }
+  value = static_cast<int>(number);
+  return {};
+}
+
 /** Options that set a property of the filter. */
 std::string ParseProperty(const std::string& name, const std::string& text, Options& options)
 {
@@ -299,6 +319,9 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
     : name == "compute-error"        ? ParseSwitch(name, text, options.ComputeError)
     : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
+    : name == "maximum-components"   ? ParseLimit(name, text, options.MaximumComponents)
+    : name == "maximum-tunnels"      ? ParseLimit(name, text, options.MaximumTunnels)
+    : name == "maximum-voids"        ? ParseLimit(name, text, options.MaximumVoids)
     : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
     : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
                                      : ParseSwitch(name, text, options.CarveExposed);
@@ -335,6 +358,9 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "breadth-radius", required_argument, nullptr, 'p' },
     { "carve-exposed", required_argument, nullptr, 'p' },
     { "carve-voids", required_argument, nullptr, 'p' },
+    { "maximum-components", required_argument, nullptr, 'p' },
+    { "maximum-tunnels", required_argument, nullptr, 'p' },
+    { "maximum-voids", required_argument, nullptr, 'p' },
     { "solid-rule", required_argument, nullptr, 'p' },
     { "conformity", required_argument, nullptr, 'p' },
     { "enclosing-tolerance", required_argument, nullptr, 'p' },

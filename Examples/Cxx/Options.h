@@ -36,6 +36,9 @@ struct Options
   double BreadthRadius = 0.0;
   bool CarveExposed = true;
   bool CarveVoids = true;
+  int MaximumComponents = -1;
+  int MaximumTunnels = -1;
+  int MaximumVoids = -1;
   bool KeepBothFoldSides = false;
   bool ManifoldOutput = true;
   int SolidRule = 0;

@@ -168,6 +168,9 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   carver->SetBreadthRadius(options.BreadthRadius);
   carver->SetCarveExposed(options.CarveExposed);
   carver->SetCarveVoids(options.CarveVoids);
+  carver->SetMaximumComponents(options.MaximumComponents);
+  carver->SetMaximumTunnels(options.MaximumTunnels);
+  carver->SetMaximumVoids(options.MaximumVoids);
   carver->SetSolidRule(options.SolidRule);
   carver->SetConformity(options.Conformity);
   carver->SetEnclosingTolerance(options.EnclosingTolerance);

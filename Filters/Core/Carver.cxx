@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carver.h"
 
+#include "Budget.h"
 #include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <queue>
 
 namespace carving
@@ -14,18 +16,10 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-struct Entry
+bool IsToBeCarved(RegionKind kind, const CarveOptions& options)
 {
-  double Priority;
-  int Cell;
-
-  /** Order of a std::priority_queue: the greatest is popped first. */
-  bool operator<(const Entry& other) const
-  {
-    return this->Priority != other.Priority ? this->Priority < other.Priority
-                                            : this->Cell > other.Cell;
-  }
-};
+  return kind == RegionKind::Outside || (kind == RegionKind::Void && options.CarveVoids);
+}
 
 /** What carving needs to know of a cell, in one place: it goes from cell to cell all over memory. */
 template <int D>
@@ -51,19 +45,20 @@ public:
     this->PrepareCells();
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
     this->Out.StepPriority.assign(1, NaN);
-    std::vector<Entry> seeds(regions.Regions.size(), { -1.0, -1 });
+    std::vector<CellState> states(numberOfCells, CellState::Carvable);
+    std::vector<Candidate> seeds(regions.Regions.size(), { -1.0, -1 });
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
       const RegionKind kind = regions.Kind(cell);
-      if (kind == RegionKind::Solid || kind == RegionKind::Kept ||
-        (kind == RegionKind::Void && !options.CarveVoids))
+      if (!IsToBeCarved(kind, options))
       {
+        states[cell] = CellState::Stays;
         continue;
       }
       ++this->NumberToCarve;
       if (kind == RegionKind::Void)
       {
-        Entry& seed = seeds[regions.RegionOfCell[cell]];
+        Candidate& seed = seeds[regions.RegionOfCell[cell]];
         seed = std::max(seed, { this->ComputePriority(cell, this->ComputeDepth(cell, 1.0)), cell });
         continue;
       }
@@ -75,12 +70,17 @@ public:
         }
       }
     }
-    for (const Entry& seed : seeds)
+    for (const Candidate& seed : seeds)
     {
       if (seed.Cell >= 0)
       {
         this->Expose(seed.Cell, 1.0);
       }
+    }
+    const BettiNumbers& limits = options.Budget;
+    if (std::any_of(limits.begin(), limits.end(), [](int limit) { return limit >= 0; }))
+    {
+      this->Limits = std::make_unique<Budget<D>>(mesh, states, limits);
     }
   }
 
@@ -89,29 +89,27 @@ public:
     constexpr int reportInterval = 4096;
     int carved = 0;
     std::vector<int> taken;
-    for (int pops = 0; !this->Queue.empty(); ++pops)
+    Candidate next;
+    for (int pops = 0; this->PopNext(next); ++pops)
     {
       if (pops % reportInterval == 0 &&
         !GoOn(progress, static_cast<double>(carved) / this->NumberToCarve))
       {
         return false;
       }
-      const Entry top = this->Queue.top();
-      this->Queue.pop();
-      this->FetchTop();
-      if (this->Cells[top.Cell].Step != Stream::Never)
-      {
-        continue; // carved along with another one
-      }
       const int step = static_cast<int>(this->Out.StepPriority.size());
-      this->Out.StepPriority.push_back(top.Priority);
-      taken.assign(1, top.Cell);
-      this->Cells[top.Cell].Step = step;
+      if (!this->Take(next.Cell, step))
+      {
+        continue;
+      }
+      this->Out.StepPriority.push_back(next.Priority);
+      taken.assign(1, next.Cell);
       this->WalkBreadth(step, taken);
       if (this->Options.CarveExposed)
       {
         this->CascadeExposed(step, taken);
       }
+      this->TakenBack.clear();
       carved += static_cast<int>(taken.size());
     }
     this->Write();
@@ -137,6 +135,7 @@ private:
     }
   }
 
+  /** What never went has neither a priority nor a depth. */
   void Write()
   {
     this->Out.Step.clear();
@@ -147,9 +146,10 @@ private:
     this->Out.Depth.reserve(this->Cells.size());
     for (const State<D>& state : this->Cells)
     {
+      const bool carved = state.Step != Stream::Never;
       this->Out.Step.push_back(state.Step);
-      this->Out.Priority.push_back(state.Degree > 0 ? state.Priority : NaN);
-      this->Out.Depth.push_back(state.Depth);
+      this->Out.Priority.push_back(carved ? state.Priority : NaN);
+      this->Out.Depth.push_back(carved ? state.Depth : 0.0);
     }
   }
 
@@ -193,6 +193,81 @@ private:
     }
   }
 
+  /** Of what can be carved, in the queue and put aside, the one with the highest priority. */
+  bool PopNext(Candidate& next)
+  {
+    for (;;)
+    {
+      const Candidate* aside = this->Limits ? this->Limits->GetBest() : nullptr;
+      if (aside && (this->Queue.empty() || this->Queue.top() < *aside))
+      {
+        next = *aside;
+        this->Limits->PopBest();
+        return true;
+      }
+      if (this->Queue.empty())
+      {
+        if (!this->LookAgain())
+        {
+          return false;
+        }
+        continue;
+      }
+      next = this->Queue.top();
+      this->Queue.pop();
+      this->FetchTop();
+      // Others have been carved along with another one, or put aside since.
+      if (this->Cells[next.Cell].Step == Stream::Never && !this->IsAside(next.Cell))
+      {
+        return true;
+      }
+    }
+  }
+
+  /** Where nothing is left in the queue: whether there is something in it again. */
+  bool LookAgain()
+  {
+    if (this->Limits)
+    {
+      for (const int cell : this->Limits->TakeBackLast())
+      {
+        this->Queue.push({ this->Cells[cell].Priority, cell });
+      }
+    }
+    return !this->Queue.empty();
+  }
+
+  bool IsAside(int cell) const
+  {
+    return this->Limits && this->Limits->IsAside(cell);
+  }
+
+  /** Carves the cell, unless that would exceed the budget. */
+  bool Take(int cell, int step)
+  {
+    if (this->Limits && !this->Admit(cell))
+    {
+      return false;
+    }
+    this->Cells[cell].Step = step;
+    return true;
+  }
+
+  bool Admit(int cell)
+  {
+    // What is aside has been looked at since its neighborhood changed.
+    if (this->IsAside(cell) || !this->Limits->Admit({ this->Cells[cell].Priority, cell }))
+    {
+      return false;
+    }
+    for (const int other : this->Limits->GetTakenBack())
+    {
+      this->Queue.push({ this->Cells[other].Priority, other });
+      this->TakenBack.push_back(other);
+    }
+    return true;
+  }
+
   /** Calls `visit` with every tetrahedron that carving the cell exposes one more face of. */
   template <class Visitor>
   void ForEachCarvableNeighbor(int cell, Visitor&& visit)
@@ -221,9 +296,9 @@ private:
         [&](int neighbor)
         {
           this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
-          if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius)
+          if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius &&
+            this->Take(neighbor, step))
           {
-            this->Cells[neighbor].Step = step;
             taken.push_back(neighbor);
           }
         });
@@ -243,12 +318,23 @@ private:
           {
             this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
           }
-          if (this->Cells[neighbor].Degree > 1)
+          if (this->Cells[neighbor].Degree > 1 && this->Take(neighbor, step))
           {
-            this->Cells[neighbor].Step = step;
             taken.push_back(neighbor);
           }
         });
+      // Exposed already, but not to be had until now.
+      for (std::size_t j = 0; j < this->TakenBack.size(); ++j)
+      {
+        const int cell = this->TakenBack[j];
+        const State<D>& state = this->Cells[cell];
+        if (state.Step == Stream::Never && !this->IsAside(cell) && state.Degree > 1 &&
+          this->Take(cell, step))
+        {
+          taken.push_back(cell);
+        }
+      }
+      this->TakenBack.clear();
     }
   }
 
@@ -256,7 +342,9 @@ private:
   const CarveOptions& Options;
   Stream& Out;
   std::vector<State<D>> Cells;
-  std::priority_queue<Entry> Queue;
+  std::priority_queue<Candidate> Queue;
+  std::unique_ptr<Budget<D>> Limits; ///< null if there are none
+  std::vector<int> TakenBack;        ///< in this step, of those put aside
   int NumberToCarve = 0;
 };
 
@@ -267,6 +355,16 @@ bool Carve(const Decomposition<D>& mesh, const Classification& regions, const Ca
   Stream& stream, const Progress& progress)
 {
   return Carver<D>(mesh, regions, options, stream).Run(progress);
+}
+
+int CountLeft(const Classification& regions, const CarveOptions& options, const Stream& stream)
+{
+  int count = 0;
+  for (int cell = 0; cell < static_cast<int>(stream.Step.size()); ++cell)
+  {
+    count += stream.Step[cell] == Stream::Never && IsToBeCarved(regions.Kind(cell), options);
+  }
+  return count;
 }
 
 template bool Carve<2>(

@@ -11,11 +11,15 @@
 #include "Priority.h"
 #include "Progress.h"
 
+#include <array>
 #include <limits>
 #include <vector>
 
 namespace carving
 {
+
+/** Numbers of components, tunnels and voids. */
+using BettiNumbers = std::array<int, 3>;
 
 struct CarveOptions
 {
@@ -36,6 +40,11 @@ struct CarveOptions
   bool CarveExposed = true;
   /** Voids are opened, each at its tetrahedron of highest priority (section 3). */
   bool CarveVoids = true;
+  /**
+   * The most components, tunnels and voids that any approximation may have, as a closed complex: of M, the
+   * solid and what is not carved. Negative: no limit. C0 has one component, so that a limit of 0 means 1.
+   */
+  BettiNumbers Budget = { -1, -1, -1 };
 };
 
 /**
@@ -68,11 +77,23 @@ struct Stream
  * Carves the complement, highest priority first, ties by the smaller tetrahedron index. Exposed
  * tetrahedra are those of degree above one.
  *
+ * With a budget, a tetrahedron that would exceed it is put aside, also if it is one of many in a step, until
+ * what other cells hold of its boundary, or what is left of the budget, has become another. In the end none
+ * is left that could be carved alone. Where no budget is exceeded the stream is the same as without.
+ *
+ * Parts that touch in an edge or a vertex are one in K, but not on a level that is cut into manifolds. In
+ * space components and tunnels therefore have to stay within the budget either way, as K has them and as
+ * the tetrahedra that are left have them when they are glued at faces only. Those that only the latter
+ * keep aside are looked at again when there is nothing else to carve.
+ *
  * Returns false when `progress` asked to stop; `stream` is then incomplete.
  */
 template <int D>
 bool Carve(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
   Stream& stream, const Progress& progress = {});
+
+/** How many cells are left that carving would have taken if it had no budget. */
+int CountLeft(const Classification& regions, const CarveOptions& options, const Stream& stream);
 
 } // namespace carving
 

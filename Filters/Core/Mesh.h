@@ -59,6 +59,13 @@ constexpr int Solid = -2;   ///< the solid of M, where its cells have been left 
 /** The corners of each face of a positively oriented tetrahedron, which lies behind it. */
 constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
+/** The two corners of a tetrahedron other than p and q, the smaller first. */
+constexpr std::array<int, 2> OtherCorners(int p, int q)
+{
+  const int first = p > 0 && q > 0 ? 0 : p + q > 1 ? 1 : 2;
+  return { first, 6 - p - q - first };
+}
+
 /**
  * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space (D = 3),
  * triangles in a plane (D = 2).

@@ -127,7 +127,8 @@ class TestCarve(unittest.TestCase):
         for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES",
                      "--output", "--levels", "--vertices", "--triangles", "--initial-approximation",
                      "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
-                     "--carve-exposed", "--carve-voids", "--solid-rule", "--genus", "--components", "--error-bound",
+                     "--carve-exposed", "--carve-voids", "--maximum-components", "--maximum-tunnels",
+                     "--maximum-voids", "--solid-rule", "--genus", "--components", "--error-bound",
                      "--compute-error", "--profile"):
             self.assertIn(word, run.stdout)
 
@@ -199,6 +200,8 @@ class TestCarve(unittest.TestCase):
                                ("--priority-measure", ("volume", "circumradius", "edge-volume")),
                                ("--depth-exponent", ("2", "0.5")),
                                ("--breadth-radius", ("0.5",)),
+                               ("--maximum-components", ("1", "5")),
+                               ("--maximum-tunnels", ("0", "1")),
                                ("--solid-rule", ("even-odd", "surface-only"))):
             for value in values:
                 self.assertNotEqual(self.table(BONES, option, value), plain, (option, value))

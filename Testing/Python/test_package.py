@@ -67,6 +67,8 @@ class TestPackage(unittest.TestCase):
         self.assertEqual((carver.GetDepthExponent(), carver.GetBreadthRadius()), (0.0, 0.0))
         self.assertTrue(carver.GetCarveExposed())
         self.assertTrue(carver.GetCarveVoids())
+        self.assertEqual(
+            (carver.GetMaximumComponents(), carver.GetMaximumTunnels(), carver.GetMaximumVoids()), (-1, -1, -1))
         self.assertEqual((carver.CONVEX_HULL, carver.BOUNDING_BOX), (0, 1))
         self.assertEqual((carver.LONGEST_EDGE, carver.VOLUME, carver.CIRCUMRADIUS, carver.EDGE_VOLUME), (0, 1, 2, 3))
         self.assertEqual((carver.HIERARCHY, carver.DISTANCE), (0, 1))

@@ -81,6 +81,9 @@ TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
   carver->SetDepthMeasure(vtkTopologyCarver::DISTANCE);
   carver->SetBreadthRadius(0.5);
   carver->SetCarveVoids(false);
+  carver->SetMaximumComponents(1);
+  carver->SetMaximumTunnels(0);
+  carver->SetMaximumVoids(0);
   carver->SetSolidRule(vtkTopologyCarver::EVEN_ODD);
   carver->Update();
   EXPECT_TRUE(messages.Errors.empty());

@@ -71,6 +71,22 @@ TEST(ContourCarver, CarvesHoles)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
 }
 
+// Two squares stay joined with a single component to spend; a frame's hole stays closed without a tunnel.
+TEST(ContourCarver, KeepsToBudgets)
+{
+  vtkNew<vtkContourCarver> carver;
+  auto input = Polygons({ Rectangle(0, 0, 1, 1), Rectangle(3, 0, 4, 1) });
+  Carve(carver, input);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
+  carver->SetMaximumComponents(1);
+  carver->Update();
+  EXPECT_GT(Area(LastLevel(carver)), 2.0);
+  auto frame = Polygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
+  carver->SetMaximumTunnels(0);
+  Carve(carver, frame);
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+}
+
 // Two squares one in the other, of the same sense: solid by winding, a hole by parity, all carved
 // with neither.
 TEST(ContourCarver, FollowsTheSolidRule)

@@ -196,6 +196,7 @@ TEST(TopologyCarver, PrintsItself)
   for (const char* expected :
     { "InitialApproximation: CONVEX_HULL", "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0",
       "DepthMeasure: HIERARCHY", "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On",
+      "MaximumComponents: -1", "MaximumTunnels: -1", "MaximumVoids: -1",
       "SolidRule: NONZERO_WINDING", "KeepBothFoldSides: Off", "ManifoldOutput: On",
       "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
   {

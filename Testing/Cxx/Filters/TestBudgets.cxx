@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Budgets of components, tunnels and voids as properties of the filter.
+ */
+#include "FilterTesting.h"
+
+#include "vtkDataArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyDataConnectivityFilter.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> Torus()
+{
+  return ToPolyData(models::Torus(1.0, 0.4, 24, 12));
+}
+
+vtkPolyData* LastLevel(vtkTopologyCarver* carver)
+{
+  return GetLevel(carver, static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1);
+}
+
+/** V - E + F of a surface; 2 for a sphere, 0 for a torus. */
+vtkIdType EulerCharacteristic(vtkPolyData* surface)
+{
+  std::set<vtkIdType> vertices;
+  std::set<std::pair<vtkIdType, vtkIdType>> edges;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType face = 0; face < surface->GetNumberOfCells(); ++face)
+  {
+    surface->GetCellPoints(face, corners);
+    for (int i = 0; i < 3; ++i)
+    {
+      vertices.insert(corners->GetId(i));
+      edges.insert(std::minmax({ corners->GetId(i), corners->GetId((i + 1) % 3) }));
+    }
+  }
+  return static_cast<vtkIdType>(vertices.size()) - static_cast<vtkIdType>(edges.size()) +
+    surface->GetNumberOfCells();
+}
+
+int CountComponents(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataConnectivityFilter> components;
+  components->SetInputData(surface);
+  components->SetExtractionModeToAllRegions();
+  components->Update();
+  return components->GetNumberOfExtractedRegions();
+}
+
+std::string GetNotes(vtkTopologyCarver* carver)
+{
+  auto* notes =
+    vtkStringArray::SafeDownCast(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
+  std::string text;
+  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  {
+    text += notes->GetValue(i) + "\n";
+  }
+  return text;
+}
+
+} // namespace
+
+// A torus is carved to a torus; without a tunnel to spend its last level is a sphere around it, and a note
+// says that there is more.
+TEST(Budgets, CloseATorus)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(Torus());
+  carver->Update();
+  EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 0);
+  EXPECT_EQ(GetNotes(carver), "");
+  carver->SetMaximumTunnels(0);
+  carver->Update();
+  EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 2);
+  EXPECT_EQ(CountComponents(LastLevel(carver)), 1);
+  EXPECT_NE(GetNotes(carver).find("The budget"), std::string::npos);
+  carver->SetMaximumTunnels(1);
+  carver->Update();
+  EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 0);
+  EXPECT_EQ(GetNotes(carver), "");
+}
+
+// Two boxes stay in one piece, a hollow stays filled.
+TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->SetMaximumComponents(1);
+  carver->Update();
+  EXPECT_EQ(CountComponents(LastLevel(carver)), 1);
+  carver->SetMaximumComponents(-1);
+  carver->Update();
+  EXPECT_EQ(CountComponents(LastLevel(carver)), 2);
+  carver->SetInputData(ToPolyData(models::Joined(models::Box({ 0, 0, 0 }, { 3, 3, 3 }),
+    models::Flipped(models::Box({ 1, 1, 1 }, { 2, 2, 2 })))));
+  carver->SetMaximumVoids(0);
+  carver->Update();
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12);
+  // There is something to carve, if not within the budget.
+  EXPECT_NE(GetNotes(carver).find("The budget"), std::string::npos);
+  EXPECT_EQ(GetNotes(carver).find("nothing to carve"), std::string::npos);
+  carver->SetMaximumVoids(1);
+  carver->Update();
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 24);
+}
+
+// What the budgets leave is in the stored stream like all that stays: its last level is the carver's, and
+// its field data names the budgets.
+TEST(Budgets, AreInTheStoredStream)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(Torus());
+  carver->SetMaximumComponents(1);
+  carver->SetMaximumTunnels(0);
+  carver->SetMaximumVoids(0);
+  carver->Update();
+  auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+  for (const auto& [name, value] : { std::pair("MaximumComponents", 1),
+         std::pair("MaximumTunnels", 0), std::pair("MaximumVoids", 0) })
+  {
+    EXPECT_EQ(stream->GetFieldData()->GetArray(name)->GetTuple1(0), value);
+  }
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(stream);
+  extract->SetLevelTarget(1e9);
+  extract->Update();
+  EXPECT_EQ(GetTriangles(extract->GetOutput()), GetTriangles(LastLevel(carver)));
+}
+
+// Below -1 there is nothing.
+TEST(Budgets, AreMinusOneOrMore)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetMaximumComponents(-5);
+  carver->SetMaximumTunnels(-2);
+  carver->SetMaximumVoids(-7);
+  EXPECT_EQ(carver->GetMaximumComponents(), -1);
+  EXPECT_EQ(carver->GetMaximumTunnels(), -1);
+  EXPECT_EQ(carver->GetMaximumVoids(), -1);
+}

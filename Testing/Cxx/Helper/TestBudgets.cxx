@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Budgets on random meshes and on those whose topology is known: what the profile says is judged by
+ * Betti numbers from boundary matrices, which know nothing of how carving decides.
+ */
+#include "DisjointSets.h"
+#include "Figures.h"
+#include "HelperRun.h"
+#include "Homology.h"
+#include "OffReader.h"
+#include "PropertyChecks.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+constexpr homology::BettiNumbers Ball = { 1, 0, 0, 0 };
+
+/** How many random meshes to try: a slice by default, more through the environment. */
+int NumberOfRandomBudgets()
+{
+  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_BUDGETS");
+  return number ? std::atoi(number) : 60;
+}
+
+struct Tetrahedra
+{
+  Tetrahedralization Mesh;
+  Classification Regions;
+};
+
+Tetrahedra Tetrahedralize(const TriangleMesh& mesh, Conformity conformity = Conformity::Auto,
+  SolidRule rule = SolidRule::NonzeroWinding)
+{
+  Job job;
+  job.Mesh = mesh;
+  job.Conformity = conformity;
+  job.EnclosingTolerance = 0.0; // no refinement: small enough to be judged at every step
+  const HelperRun run = RunHelper(job);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  return { run.Reply.Result, Classify(run.Reply.Result, rule) };
+}
+
+Stream CarveWithin(const Tetrahedra& tetrahedra, CarveOptions options, const BettiNumbers& budget)
+{
+  options.Budget = budget;
+  Stream stream;
+  EXPECT_TRUE(Carve(tetrahedra.Mesh, tetrahedra.Regions, options, stream));
+  return stream;
+}
+
+template <int D>
+homology::BettiNumbers BettiNumbersAt(const Decomposition<D>& mesh, const Stream& stream, int step)
+{
+  return homology::ComputeBettiNumbers(homology::ClosedComplex(mesh, stream, step));
+}
+
+/**
+ * Components and tunnels of the tetrahedra that are left, glued at faces only: from classes of corners and
+ * edges that are the same by way of faces, and from the components of the surface, counted from scratch.
+ */
+std::array<int, 2> CountGlued(const Tetrahedralization& mesh, const Stream& stream, int step)
+{
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  const auto isLeft = [&](int cell) { return cell >= 0 && stream.Step[cell] > step; };
+  constexpr int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+  DisjointSets cells(numberOfCells), corners(4 * numberOfCells), sides(6 * numberOfCells);
+  int characteristic = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (!isLeft(cell))
+    {
+      continue;
+    }
+    --characteristic;
+    for (int f = 0; f < 4; ++f)
+    {
+      const int other = mesh.Neighbors[cell][f];
+      if (!isLeft(other) || other > cell)
+      {
+        ++characteristic; // each face once
+        continue;
+      }
+      cells.Unite(cell, other);
+      const auto find = [&](int corner)
+      {
+        const auto& c = mesh.Cells[other];
+        return static_cast<int>(
+          std::find(c.begin(), c.end(), mesh.Cells[cell][corner]) - c.begin());
+      };
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        if (corner != f)
+        {
+          corners.Unite(4 * cell + corner, 4 * other + find(corner));
+        }
+      }
+      for (int e = 0; e < 6; ++e)
+      {
+        if (edges[e][0] != f && edges[e][1] != f)
+        {
+          const auto [p, q] = std::minmax({ find(edges[e][0]), find(edges[e][1]) });
+          const int otherEdge = static_cast<int>(
+            std::find_if(edges, edges + 6,
+              [p = p, q = q](const int(&x)[2]) { return x[0] == p && x[1] == q; }) -
+            edges);
+          sides.Unite(6 * cell + e, 6 * other + otherEdge);
+        }
+      }
+    }
+  }
+  int components = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    for (int i = 0; i < 6 && isLeft(cell); ++i)
+    {
+      components += i < 1 && cells.Find(cell) == cell;
+      characteristic += i < 4 && corners.Find(4 * cell + i) == 4 * cell + i;
+      characteristic -= sides.Find(6 * cell + i) == 6 * cell + i;
+    }
+  }
+  // Each component has an outer surface, and one for each of its voids. Two faces meet in an edge.
+  DisjointSets faces(4 * numberOfCells);
+  std::vector<int> faceAt(6 * numberOfCells, -1);
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    for (int i = 0; i < 24 && isLeft(cell); ++i)
+    {
+      const int f = i / 6, e = i % 6;
+      if (!isLeft(mesh.Neighbors[cell][f]) && edges[e][0] != f && edges[e][1] != f)
+      {
+        int& other = faceAt[sides.Find(6 * cell + e)];
+        other = other < 0 ? 4 * cell + f : other;
+        faces.Unite(other, 4 * cell + f);
+      }
+    }
+  }
+  int surfaces = 0;
+  for (int face = 0; face < 4 * numberOfCells; ++face)
+  {
+    surfaces +=
+      isLeft(face / 4) && !isLeft(mesh.Neighbors[face / 4][face % 4]) && faces.Find(face) == face;
+  }
+  return { components, surfaces - characteristic };
+}
+
+/** Every step obeys the budget, by an independent count; returns the numbers of the last. */
+template <int D>
+homology::BettiNumbers ExpectToObey(
+  const Decomposition<D>& mesh, const Stream& stream, const BettiNumbers& budget)
+{
+  homology::BettiNumbers numbers = Ball;
+  for (int step = 0; step <= stream.LastStep() && !testing::Test::HasFailure(); ++step)
+  {
+    numbers = BettiNumbersAt(mesh, stream, step);
+    for (std::size_t i = 0; i < budget.size(); ++i)
+    {
+      EXPECT_TRUE(budget[i] < 0 || numbers[i] <= budget[i])
+        << "step " << step << ", number " << i << ": " << numbers[i] << " > " << budget[i];
+    }
+  }
+  return numbers;
+}
+
+/** Whether a step exceeds the budget, whole or as its surface is cut. */
+bool Exceeds(
+  const Tetrahedralization& mesh, const Stream& stream, int step, const BettiNumbers& budget)
+{
+  const homology::BettiNumbers numbers = BettiNumbersAt(mesh, stream, step);
+  const std::array<int, 2> glued = CountGlued(mesh, stream, step);
+  const std::array<int, 3> most = { std::max(numbers[0], glued[0]), std::max(numbers[1], glued[1]),
+    numbers[2] };
+  for (std::size_t i = 0; i < budget.size(); ++i)
+  {
+    if (budget[i] >= 0 && most[i] > budget[i])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Of all tetrahedra that adjoin the exterior none could be carved alone within the budget. */
+void ExpectNothingMoreToCarve(
+  const Tetrahedra& tetrahedra, Stream stream, const BettiNumbers& budget)
+{
+  const Tetrahedralization& mesh = tetrahedra.Mesh;
+  const auto isCarved = [&](int cell) { return cell < 0 || stream.Step[cell] != Stream::Never; };
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    const RegionKind kind = tetrahedra.Regions.Kind(cell);
+    bool carvable = !isCarved(cell) && (kind == RegionKind::Outside || kind == RegionKind::Void);
+    bool adjoins = false;
+    for (int f = 0; f < 4; ++f)
+    {
+      adjoins = adjoins || (mesh.Constraints[cell][f] < 0 && isCarved(mesh.Neighbors[cell][f]));
+    }
+    if (!carvable || !adjoins)
+    {
+      continue;
+    }
+    stream.Step[cell] = 0;
+    EXPECT_TRUE(Exceeds(mesh, stream, stream.LastStep(), budget)) << "cell " << cell;
+    stream.Step[cell] = Stream::Never;
+  }
+}
+
+CarveOptions DrawOptions(std::mt19937_64& random)
+{
+  CarveOptions options;
+  options.Measure = static_cast<PriorityMeasure>(random() % 4);
+  options.DepthExponent = static_cast<double>(random() % 2);
+  options.BreadthRadius = random() % 3 == 0 ? 0.4 : 0.0;
+  options.CarveExposed = random() % 2 == 0;
+  return options;
+}
+
+/** At least one component; no limit one time in four. */
+BettiNumbers DrawBudget(std::mt19937_64& random)
+{
+  BettiNumbers budget;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int limit = static_cast<int>(random() % 4);
+    budget[i] = random() % 4 == 0 ? -1 : std::max(limit, i == 0 ? 1 : 0);
+  }
+  return budget;
+}
+
+/** A random mesh, small enough that its Betti numbers can be computed at every step. */
+Tetrahedra DrawTetrahedra(std::mt19937_64& random)
+{
+  const auto rule = static_cast<SolidRule>(random() % 3);
+  if (random() % 2 == 0)
+  {
+    return Tetrahedralize(models::Soup(2 + static_cast<int>(random() % 10), random),
+      random() % 2 == 0 ? Conformity::Enclosing : Conformity::Auto, rule);
+  }
+  TriangleMesh mesh;
+  do
+  {
+    mesh = models::MakeRandom(random).Mesh;
+  } while (mesh.Triangles.size() > 300);
+  return Tetrahedralize(mesh, Conformity::Auto, rule);
+}
+
+} // namespace
+
+// At every step of every carving components, tunnels and voids stay within random budgets, and in the end
+// nothing is left that could still go.
+TEST(Budgets, AreObeyedOnRandomMeshes)
+{
+  std::mt19937_64 random(1847);
+  for (int i = 0; i < NumberOfRandomBudgets() && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("random mesh " + std::to_string(i));
+    const Tetrahedra tetrahedra = DrawTetrahedra(random);
+    const CarveOptions options = DrawOptions(random);
+    const BettiNumbers budget = DrawBudget(random);
+    SCOPED_TRACE("budget " + std::to_string(budget[0]) + " " + std::to_string(budget[1]) + " " +
+      std::to_string(budget[2]));
+    const Stream stream = CarveWithin(tetrahedra, options, budget);
+    const homology::BettiNumbers last = ExpectToObey(tetrahedra.Mesh, stream, budget);
+    for (int step = 0; step <= stream.LastStep(); step += 1 + stream.LastStep() / 10)
+    {
+      EXPECT_FALSE(Exceeds(tetrahedra.Mesh, stream, step, budget)) << "step " << step;
+    }
+    // With voids the tunnels of the cut surface are not known exactly, but at most.
+    if (i % 3 == 0 && last[2] == 0)
+    {
+      ExpectNothingMoreToCarve(tetrahedra, stream, budget);
+    }
+  }
+}
+
+// A budget that nothing exceeds changes nothing.
+TEST(Budgets, ChangeNothingWhereTheyAreNotNeeded)
+{
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 20; ++i)
+  {
+    const Tetrahedra tetrahedra = DrawTetrahedra(random);
+    const CarveOptions options = DrawOptions(random);
+    const Stream without = CarveWithin(tetrahedra, options, { -1, -1, -1 });
+    const Stream with = CarveWithin(tetrahedra, options, { 100000, 100000, 100000 });
+    EXPECT_EQ(with.Step, without.Step);
+    EXPECT_EQ(with.Depth, without.Depth);
+  }
+}
+
+// With one component, no tunnel and no void, anything ends in a ball.
+TEST(Budgets, WrapAnythingInABall)
+{
+  std::mt19937_64 random(22);
+  for (int i = 0; i < NumberOfRandomBudgets() && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("random mesh " + std::to_string(i));
+    const bool soup = i % 2 == 0;
+    const Tetrahedra tetrahedra =
+      Tetrahedralize(soup ? models::Soup(2 + static_cast<int>(random() % 60), random)
+                          : models::MakeRandom(random).Mesh,
+        i % 4 == 0 ? Conformity::Enclosing : Conformity::Auto);
+    const Stream stream = CarveWithin(tetrahedra, DrawOptions(random), { 1, 0, 0 });
+    EXPECT_EQ(BettiNumbersAt(tetrahedra.Mesh, stream, stream.LastStep()), Ball);
+    EXPECT_FALSE(Exceeds(tetrahedra.Mesh, stream, stream.LastStep(), { 1, 0, 0 }));
+  }
+}
+
+// What is a torus without a budget stays a ball with none for tunnels, and is carved up to a lid.
+TEST(Budgets, KeepATorusClosed)
+{
+  const Tetrahedra torus = Tetrahedralize(models::Torus(1.0, 0.4, 16, 8));
+  const Stream open = CarveWithin(torus, {}, { -1, -1, -1 });
+  EXPECT_EQ(
+    BettiNumbersAt(torus.Mesh, open, open.LastStep()), (homology::BettiNumbers{ 1, 1, 0, 0 }));
+  const BettiNumbers budget = { -1, 0, -1 };
+  const Stream closed = CarveWithin(torus, {}, budget);
+  EXPECT_EQ(ExpectToObey(torus.Mesh, closed, budget), Ball);
+  const auto countCarved = [](const Stream& stream)
+  {
+    return std::count_if(stream.Step.begin(), stream.Step.end(),
+      [](int step) { return step != carving::Stream::Never; });
+  };
+  // A lid over the hole takes no more than a fan of triangles as thick as a tetrahedron.
+  EXPECT_GT(countCarved(closed), countCarved(open) / 2);
+  EXPECT_LT(countCarved(closed), countCarved(open));
+}
+
+// Two spheres stay joined with one component, and are apart with two.
+TEST(Budgets, KeepTwoSpheresTogether)
+{
+  const Tetrahedra spheres = Tetrahedralize(
+    models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 3, 0, 0 })));
+  for (const int components : { 1, 2 })
+  {
+    const BettiNumbers budget = { components, -1, -1 };
+    EXPECT_EQ(ExpectToObey(spheres.Mesh, CarveWithin(spheres, {}, budget), budget),
+      (homology::BettiNumbers{ components, 0, 0, 0 }));
+  }
+}
+
+// Of three hollows in each other as many are opened as the budget has room for.
+TEST(Budgets, LeaveShellsFilled)
+{
+  TriangleMesh mesh = models::Sphere(1);
+  for (const double scale : { 0.8, 0.6, 0.4 })
+  {
+    mesh = models::Joined(mesh, models::Moved(models::Sphere(1), { 0, 0, 0 }, scale));
+  }
+  // Nothing is solid: between the shells and within the innermost there are four hollows.
+  const Tetrahedra shells = Tetrahedralize(mesh, Conformity::Exact, SolidRule::SurfaceOnly);
+  for (int voids = 0; voids <= 5; ++voids)
+  {
+    const BettiNumbers budget = { -1, -1, voids };
+    const homology::BettiNumbers last =
+      ExpectToObey(shells.Mesh, CarveWithin(shells, {}, budget), budget);
+    EXPECT_EQ(last[2], std::min(voids, 4));
+  }
+}
+
+// Of the tunnels of a block of cheese (one of genus 12) as many are opened as the budget has room for.
+TEST(Budgets, OpenSomeTunnelsOfManyOnly)
+{
+  const Tetrahedra scone = Tetrahedralize(models::Scone());
+  for (const int tunnels : { 0, 3, 12 })
+  {
+    const BettiNumbers budget = { 1, tunnels, 0 };
+    const Stream stream = CarveWithin(scone, {}, budget);
+    const homology::BettiNumbers last = BettiNumbersAt(scone.Mesh, stream, stream.LastStep());
+    EXPECT_EQ(last, (homology::BettiNumbers{ 1, tunnels, 0, 0 }));
+  }
+}
+
+// In the plane it is the same: the holes of a contour are its tunnels, and it has no voids.
+TEST(Budgets, AreObeyedInThePlane)
+{
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 40 && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("contours " + std::to_string(i));
+    Job job;
+    job.Kind = JobKind::Triangulate;
+    std::uniform_real_distribution<double> unit;
+    const int loops = 1 + static_cast<int>(random() % 8);
+    for (int loop = 0; loop < loops; ++loop)
+    {
+      // Polygons around random centers, the last edge of which may be missing.
+      const int corners = 3 + static_cast<int>(random() % 8);
+      const int first = static_cast<int>(job.Contours.Points.size());
+      const double x = 4.0 * unit(random), y = 4.0 * unit(random), radius = 0.2 + unit(random);
+      for (int k = 0; k < corners; ++k)
+      {
+        const double angle = 6.283185307179586 * k / corners;
+        job.Contours.Points.push_back(
+          { x + radius * std::cos(angle), y + radius * std::sin(angle), 0.0 });
+        if (k + 1 < corners || random() % 3 != 0)
+        {
+          job.Contours.Edges.push_back({ first + k, first + (k + 1) % corners });
+        }
+      }
+    }
+    const HelperRun run = RunHelper(job);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    const Classification regions = Classify(run.Reply.Plane, static_cast<SolidRule>(random() % 3));
+    CarveOptions options = DrawOptions(random);
+    options.Budget = DrawBudget(random);
+    Stream stream;
+    ASSERT_TRUE(Carve(run.Reply.Plane, regions, options, stream));
+    EXPECT_EQ(ExpectToObey(run.Reply.Plane, stream, options.Budget)[2], 0);
+    options.Budget = { 1, 0, 0 };
+    ASSERT_TRUE(Carve(run.Reply.Plane, regions, options, stream));
+    EXPECT_EQ(BettiNumbersAt(run.Reply.Plane, stream, stream.LastStep()), Ball);
+  }
+}
+
+// The last step of a real mesh of genus 133 obeys any budget.
+TEST(Budgets, AreObeyedOnCheese)
+{
+  OffMesh off;
+  ASSERT_EQ(ReadOff(TOPOLOGYCARVING_MESHES "/cheese.off", off), "");
+  TriangleMesh mesh = { off.Points, {} };
+  for (const std::vector<int>& face : off.Faces)
+  {
+    mesh.Triangles.push_back({ face[0], face[1], face[2] });
+  }
+  const Tetrahedra cheese = Tetrahedralize(mesh);
+  for (const int tunnels : { 0, 10, 133 })
+  {
+    const Stream stream = CarveWithin(cheese, {}, { -1, tunnels, -1 });
+    const homology::BettiNumbers last = BettiNumbersAt(cheese.Mesh, stream, stream.LastStep());
+    EXPECT_EQ(last, (homology::BettiNumbers{ 1, tunnels, 0, 0 }));
+  }
+}

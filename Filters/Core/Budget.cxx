@@ -21,7 +21,10 @@ Budget<D>::Budget(
   }
   if constexpr (D == 3)
   {
-    this->Glued = std::make_unique<GluedCells>(mesh, this->Rest.GetStates());
+    if (limits[0] >= 0 || limits[1] >= 0)
+    {
+      this->Glued = std::make_unique<GluedCells>(mesh, this->Rest.GetStates());
+    }
   }
 }
 

@@ -86,7 +86,7 @@ private:
   void TakeBack(int cell, const Removal<D>& removal);
 
   CarvedComplex<D> Rest;
-  std::unique_ptr<GluedCells> Glued; ///< null in the plane
+  std::unique_ptr<GluedCells> Glued; ///< null in the plane and where only voids are limited
   BettiNumbers Limits;
   /** Slot `Amounts * number + amount - 1`: by what a cell waits for. Cells taken back remain in there. */
   std::array<std::priority_queue<Candidate>, Amounts * Numbers + 1> Waiting;

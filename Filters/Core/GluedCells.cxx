@@ -36,6 +36,7 @@ DisjointSets GluedCells::Glue(Predicate&& isOne) const
 GluedCells::GluedCells(const Decomposition<3>& mesh, const std::vector<CellState>& states)
   : Mesh(mesh)
   , States(states)
+  , Records(mesh.Cells.size())
   , Touched(mesh.Surface.Points.size(), -1)
   , LookedAt(mesh.Cells.size(), -1)
   , Sides(mesh.Cells.size(), 0)
@@ -46,6 +47,7 @@ GluedCells::GluedCells(const Decomposition<3>& mesh, const std::vector<CellState
   DisjointSets sets = this->Glue([&](int cell) { return states[cell] == CellState::Stays; });
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
+    this->Records[cell] = { mesh.Cells[cell], mesh.Neighbors[cell] };
     if (states[cell] == CellState::Stays)
     {
       this->Block[cell] = sets.Find(static_cast<int>(cell));
@@ -66,28 +68,26 @@ GluedCells::GluedCells(const Decomposition<3>& mesh, const std::vector<CellState
 /** Whether the exterior is somewhere around the edge between two corners of a tetrahedron. */
 bool GluedCells::IsTouched(int cell, int p, int q) const
 {
-  const int edge[] = { this->Mesh.Cells[cell][p], this->Mesh.Cells[cell][q] };
+  const Record& start = this->Records[cell];
+  const int edge[] = { start.Corners[p], start.Corners[q] };
   if (this->Touched[edge[0]] < 0 || this->Touched[edge[1]] < 0)
   {
     return false;
   }
   const std::array<int, 2> others = OtherCorners(p, q);
-  int at = cell, through = others[0], ahead = this->Mesh.Cells[cell][others[1]];
+  int at = cell, through = others[0], ahead = start.Corners[others[1]];
   for (;;)
   {
-    at = this->Mesh.Neighbors[at][through];
-    if (at == cell)
+    at = this->Records[at].Behind[through];
+    if (at == cell || at < 0)
     {
-      return false;
+      return at < 0;
     }
-    if (!this->IsLeft(at))
-    {
-      return true;
-    }
+    const auto& corners = this->Records[at].Corners;
     const int behind = ahead;
     for (int corner = 0; corner < 4; ++corner)
     {
-      const int vertex = this->Mesh.Cells[at][corner];
+      const int vertex = corners[corner];
       if (vertex == behind)
       {
         through = corner;
@@ -114,7 +114,7 @@ GluedCells::Removal GluedCells::Examine(int cell)
   int held = 0;
   for (int f = 0; f < 4; ++f)
   {
-    const bool isHeld = this->IsLeft(this->Mesh.Neighbors[cell][f]);
+    const bool isHeld = this->Records[cell].Behind[f] >= 0;
     labels[f] = isHeld ? f : -1;
     held += isHeld;
   }
@@ -215,8 +215,9 @@ void GluedCells::Reach(int cell, int from, int f, Labels& labels, bool everywher
     return;
   }
   reachedBy = now + f;
+  __builtin_prefetch(&this->Records[cell]); // for when the search goes on from here
   int entry = 0;
-  while (everywhere && this->Mesh.Neighbors[cell][entry] != from)
+  while (everywhere && this->Sides[cell] != 0 && this->Records[cell].Behind[entry] != from)
   {
     ++entry;
   }
@@ -245,7 +246,7 @@ void GluedCells::Join(int cell, int vertex, Labels& labels)
     this->Reached[f].clear();
     if (labels[f] >= 0)
     {
-      this->Reach(this->Mesh.Neighbors[cell][f], cell, f, labels, vertex < 0);
+      this->Reach(this->Records[cell].Behind[f], cell, f, labels, vertex < 0);
     }
   }
   const auto isOpen = [&](int f) { return next[f] < this->Reached[f].size(); };
@@ -272,12 +273,13 @@ void GluedCells::Join(int cell, int vertex, Labels& labels)
       }
       const int from = this->Reached[f][next[f]] / 4;
       const int side = this->SideOf(from, this->Reached[f][next[f]] % 4);
+      const Record& record = this->Records[from];
       ++next[f];
       for (int g = 0; g < 4; ++g)
       {
-        const int to = this->Mesh.Neighbors[from][g];
-        if (!this->IsLeft(to) || to == cell ||
-          (vertex >= 0 ? this->Mesh.Cells[from][g] == vertex : this->SideOf(from, g) != side))
+        const int to = record.Behind[g];
+        if (to < 0 || to == cell ||
+          (vertex >= 0 ? record.Corners[g] == vertex : this->SideOf(from, g) != side))
         {
           continue;
         }
@@ -306,15 +308,24 @@ void GluedCells::Carve(int cell, const Removal& removal)
   {
     this->Touched[vertex] = this->Time;
   }
+  for (const int neighbor : this->Records[cell].Behind)
+  {
+    if (neighbor >= 0)
+    {
+      auto& behind = this->Records[neighbor].Behind;
+      std::replace(behind.begin(), behind.end(), cell, -1);
+    }
+  }
 }
 
 void GluedCells::CountComponents()
 {
-  DisjointSets sets = this->Glue([this](int cell) { return this->IsLeft(cell); });
+  const auto isLeft = [this](int cell) { return this->States[cell] != CellState::Carved; };
+  DisjointSets sets = this->Glue(isLeft);
   this->Components = 0;
   for (int cell = 0; cell < static_cast<int>(this->Mesh.Cells.size()); ++cell)
   {
-    this->Components += this->IsLeft(cell) && sets.Find(cell) == cell;
+    this->Components += isLeft(cell) && sets.Find(cell) == cell;
   }
 }
 

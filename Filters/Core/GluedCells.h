@@ -73,10 +73,13 @@ public:
   void CountComponents();
 
 private:
-  bool IsLeft(int cell) const
+  /** All that a walk has to know of a cell, in one place. */
+  struct Record
   {
-    return cell >= 0 && this->States[cell] != CellState::Carved;
-  }
+    Decomposition<3>::Cell Corners;
+    Decomposition<3>::Cell Behind; ///< its faces: the other cells that are left, or -1
+  };
+
   template <class Predicate>
   DisjointSets Glue(Predicate&& isOne) const;
   bool IsTouched(int cell, int p, int q) const;
@@ -89,6 +92,7 @@ private:
 
   const Decomposition<3>& Mesh;
   const std::vector<CellState>& States;
+  std::vector<Record> Records;
   int Time = 0;             ///< how many have gone
   std::vector<int> Touched; ///< per vertex: when the last one around it went, 0 on C0; -1: none yet
   std::vector<int> LookedAt; ///< per cell: when it was examined last

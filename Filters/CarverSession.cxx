@@ -328,12 +328,13 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
   AddSettings(this->Settings, leaf->Reply, grid->GetFieldData());
   FillProfile(result.Profile, vtkTable::SafeDownCast(ports.Profile));
   const std::vector<int> steps = this->SelectLevels(result.Profile);
+  const std::vector<carving::Level<D>> levels = carving::ExtractLevels(result.Stream, steps);
   const unsigned int count = static_cast<unsigned int>(steps.size());
   ports.Levels->SetNumberOfBlocks(count);
   for (unsigned int i = 0; i < count; ++i)
   {
     vtkNew<vtkPolyData> level;
-    FillLevel(result.Stream, result.Profile, grid, steps[i], this->Settings.ManifoldOutput, level);
+    FillLevel(result.Stream, result.Profile, grid, levels[i], this->Settings.ManifoldOutput, level);
     ports.Levels->SetBlock(i, level);
     SetBlockName(ports.Levels, i, "LOD " + std::to_string(i));
     if (!this->Report(OutputStage, (i + 1.0) / (count + 1.0)))

@@ -92,9 +92,9 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
 
 template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
-  vtkUnstructuredGrid* grid, int step, bool manifold, vtkPolyData* output)
+  vtkUnstructuredGrid* grid, const carving::Level<D>& level, bool manifold, vtkPolyData* output)
 {
-  const carving::Level<D> level = carving::ExtractLevel(stream, step);
+  const int step = level.Step;
   const carving::ManifoldLevel<D> cut =
     manifold ? carving::CutIntoManifold(stream, level) : carving::KeepUncut(level);
 
@@ -205,6 +205,6 @@ void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& p
 }
 
 template void FillLevel<2>(const carving::StoredStream<2>&, const carving::Profile&,
-  vtkUnstructuredGrid*, int, bool, vtkPolyData*);
+  vtkUnstructuredGrid*, const carving::Level<2>&, bool, vtkPolyData*);
 template void FillLevel<3>(const carving::StoredStream<3>&, const carving::Profile&,
-  vtkUnstructuredGrid*, int, bool, vtkPolyData*);
+  vtkUnstructuredGrid*, const carving::Level<3>&, bool, vtkPolyData*);

@@ -6,6 +6,7 @@
 #ifndef LevelOutput_h
 #define LevelOutput_h
 
+#include "Level.h"
 #include "Profile.h"
 #include "StoredStream.h"
 #include "vtkType.h"
@@ -18,7 +19,7 @@ class vtkUnstructuredGrid;
 /** `grid` is the stream as FillStream wrote it: attributes come from there. */
 template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
-  vtkUnstructuredGrid* grid, int step, bool manifold, vtkPolyData* output);
+  vtkUnstructuredGrid* grid, const carving::Level<D>& level, bool manifold, vtkPolyData* output);
 
 /**
  * M as given, as a last level, where it is enclosed only; `cellIds` has the cell of `input` for every

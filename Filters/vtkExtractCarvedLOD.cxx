@@ -270,11 +270,13 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
   }
   if (GetStreamDimension(grid) == 2)
   {
-    FillLevel(stream.Plane, stream.Profile, grid, selected.Step, this->ManifoldOutput, level);
+    FillLevel(stream.Plane, stream.Profile, grid,
+      carving::ExtractLevel(stream.Plane, selected.Step), this->ManifoldOutput, level);
   }
   else
   {
-    FillLevel(stream.Space, stream.Profile, grid, selected.Step, this->ManifoldOutput, level);
+    FillLevel(stream.Space, stream.Profile, grid,
+      carving::ExtractLevel(stream.Space, selected.Step), this->ManifoldOutput, level);
   }
   return true;
 }

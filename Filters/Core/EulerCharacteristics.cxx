@@ -48,10 +48,7 @@ public:
     {
       for (const int vertex : this->Mesh.Cells[cell])
       {
-        if (!this->IsOfSurface[vertex])
-        {
-          this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);
-        }
+        this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);
       }
       if (this->Step[cell] == Stream::Never)
       {
@@ -62,9 +59,12 @@ public:
         this->AddCarvedCell(cell);
       }
     }
-    for (const int end : this->VertexEnds)
+    for (std::size_t vertex = 0; vertex < this->VertexEnds.size(); ++vertex)
     {
-      this->Vanish(0, end);
+      if (!this->IsOfSurface[vertex])
+      {
+        this->Vanish(0, this->VertexEnds[vertex]);
+      }
     }
     this->CountEdges();
     std::partial_sum(this->Changes.begin(), this->Changes.end(), this->Changes.begin());
@@ -193,7 +193,7 @@ private:
   const std::vector<int>& Step;
   std::vector<int> Changes;
   std::vector<char> IsOfSurface; ///< per vertex: M has it, so that it stays
-  std::vector<int> VertexEnds;   ///< of the others: with the last cell around them
+  std::vector<int> VertexEnds;   ///< with the last cell around them
   std::vector<EdgeEnd> EdgeEnds;
 };
 

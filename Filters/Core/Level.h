@@ -29,6 +29,10 @@ struct Level
 template <int D>
 Level<D> ExtractLevel(const StoredStream<D>& stream, int step);
 
+/** C_step for each of several ascending steps, at hardly more than the expense of one. */
+template <int D>
+std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::vector<int>& steps);
+
 } // namespace carving
 
 #endif

@@ -81,8 +81,12 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
   const auto isWithinOne = [&](const auto& corners)
   {
     const int label = labels[corners[0]];
-    return label >= 0 &&
-      std::all_of(corners.begin(), corners.end(), [&](int v) { return labels[v] == label; });
+    bool within = label >= 0; // no early way out, which nobody could predict
+    for (const int vertex : corners)
+    {
+      within &= labels[vertex] == label;
+    }
+    return within;
   };
   std::vector<int> joining;
   std::vector<int> ends(stream.LastStep() + 2, 0);
@@ -101,11 +105,17 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
     sorted[ends[stream.Step[cell]]++] = cell;
   }
   std::vector<int> counts(stream.LastStep() + 1);
+  constexpr int ahead = 16; // cells are all over memory, and fetched before they are needed
   auto next = sorted.rbegin();
   for (int step = stream.LastStep(); step >= 0; --step)
   {
     for (; next != sorted.rend() && stream.Step[*next] > step; ++next)
     {
+      if (sorted.rend() - next > ahead)
+      {
+        __builtin_prefetch(&mesh.Cells[next[ahead]]);
+        __builtin_prefetch(&stream.Step[next[ahead]]);
+      }
       components.Add(mesh.Cells[*next]);
     }
     counts[step] = components.Count;

@@ -4,7 +4,7 @@
 #include "DisjointSets.h"
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace carving
@@ -12,25 +12,51 @@ namespace carving
 namespace
 {
 
-/** Whether every edge has two faces, along which it runs in opposite directions. */
-bool IsClosed(const std::vector<Triangle>& faces)
+/** Edges in one direction, by their lower vertex: of vertex v `Ends[v]` to before `Ends[v + 1]`. */
+struct DirectedEdges
 {
-  std::vector<std::pair<int, int>> up, down; // edges by the direction, lower vertex first
-  for (const Triangle& face : faces)
+  std::vector<int> Ends;
+  std::vector<int> Upper; ///< ascending for each lower vertex
+};
+
+/** The edges that run up to the greater vertex, or those that run down. */
+DirectedEdges SortEdges(const ManifoldLevel<3>& level, bool upward)
+{
+  const auto forEachEdge = [&](auto&& visit)
   {
-    for (int i = 0; i < 3; ++i)
+    for (const Triangle& face : level.Faces)
     {
-      const int from = face[i], to = face[(i + 1) % 3];
-      from < to ? up.emplace_back(from, to) : down.emplace_back(to, from);
+      for (int i = 0; i < 3; ++i)
+      {
+        const int from = face[i], to = face[(i + 1) % 3];
+        if ((from < to) == upward)
+        {
+          visit(std::min(from, to), std::max(from, to));
+        }
+      }
     }
-  }
-  if (up.size() != down.size())
+  };
+  DirectedEdges edges;
+  // Counted one entry too far, places become ends when all have been taken.
+  edges.Ends.assign(level.Points.size() + 2, 0);
+  forEachEdge([&](int lower, int) { ++edges.Ends[lower + 2]; });
+  std::partial_sum(edges.Ends.begin(), edges.Ends.end(), edges.Ends.begin());
+  edges.Upper.resize(edges.Ends.back());
+  forEachEdge([&](int lower, int upper) { edges.Upper[edges.Ends[lower + 1]++] = upper; });
+  edges.Ends.pop_back();
+  for (std::size_t vertex = 0; vertex + 1 < edges.Ends.size(); ++vertex)
   {
-    return false;
+    std::sort(
+      edges.Upper.begin() + edges.Ends[vertex], edges.Upper.begin() + edges.Ends[vertex + 1]);
   }
-  std::sort(up.begin(), up.end());
-  std::sort(down.begin(), down.end());
-  return up == down;
+  return edges;
+}
+
+/** Whether every edge has two faces, along which it runs in opposite directions. */
+bool IsClosed(const ManifoldLevel<3>& level)
+{
+  const DirectedEdges up = SortEdges(level, true), down = SortEdges(level, false);
+  return up.Ends == down.Ends && up.Upper == down.Upper;
 }
 
 } // namespace
@@ -61,7 +87,7 @@ SurfaceTopology MeasureSurface(const ManifoldLevel<3>& level)
   // Closed, it has three edges to two faces.
   const int characteristic =
     static_cast<int>(level.Points.size()) - static_cast<int>(level.Faces.size()) / 2;
-  topology.Genus = IsClosed(level.Faces) ? topology.Components - characteristic / 2 : -1;
+  topology.Genus = IsClosed(level) ? topology.Components - characteristic / 2 : -1;
   return topology;
 }
 

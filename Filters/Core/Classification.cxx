@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Classification.h"
 
+#include "Fetch.h"
 #include "Priority.h"
 #include "Winding.h"
 #include "WindingTree.h"
@@ -48,6 +49,7 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
     {
       const int cell = stack.back();
       stack.pop_back();
+      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Constraints, mesh.Neighbors);
       for (int f = 0; f <= D; ++f)
       {
         if (mesh.Constraints[cell][f] >= 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EulerCharacteristics.h"
 
+#include "Fetch.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -46,6 +48,7 @@ public:
     }
     for (int cell = 0; cell < static_cast<int>(this->Mesh.Cells.size()); ++cell)
     {
+      FetchAhead(this->Mesh, cell, this->Step);
       for (const int vertex : this->Mesh.Cells[cell])
       {
         this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);

@@ -6,6 +6,7 @@
 #ifndef carving_Faces_h
 #define carving_Faces_h
 
+#include "Fetch.h"
 #include "Ridges.h"
 #include "StoredStream.h"
 
@@ -71,6 +72,7 @@ void ForEachFace(
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
+    FetchAhead(mesh, cell, stream.Order.Step);
     // A face belongs to the one of its cells that is carved later, and is behind it.
     const int death = stream.Order.Step[cell];
     if (death <= first)

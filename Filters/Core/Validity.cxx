@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Validity.h"
 
+#include "Fetch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -111,18 +113,11 @@ int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& f
 template <int D>
 bool NeighborsAgree(const Decomposition<D>& mesh)
 {
-  constexpr int ahead = 8;
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   int fromBelow = 0, fromAbove = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    for (const int neighbor : mesh.Neighbors[std::min(cell + ahead, numberOfCells - 1)])
-    {
-      const int fetched = std::max(neighbor, 0);
-      __builtin_prefetch(&mesh.Cells[fetched]);
-      __builtin_prefetch(&mesh.Neighbors[fetched]);
-      __builtin_prefetch(&mesh.Constraints[fetched]);
-    }
+    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors, mesh.Constraints);
     for (int f = 0; f <= D; ++f)
     {
       const int neighbor = mesh.Neighbors[cell][f];

@@ -142,3 +142,28 @@ TEST(Level, ShowsBothSidesOfAFoldIfAsked)
   EXPECT_EQ(Canonical(small::Triangles(ExtractLevel(stream, stream.Order.LastStep()))),
     Canonical({ { 1, 2, 3 }, { 1, 3, 2 } }));
 }
+
+// Several levels at once, equal steps among them, are what each is by itself, face by face.
+TEST(Level, IsTheSameAmongSeveral)
+{
+  const StoredStream<3> stream = small::StoreOneByOne(small::NestedTetrahedra(small::InnerFaces()));
+  std::vector<int> steps = { 0 };
+  for (int step = 0; step <= stream.Order.LastStep(); step += 2)
+  {
+    steps.push_back(step);
+  }
+  const std::vector<Level<3>> levels = ExtractLevels(stream, steps);
+  ASSERT_EQ(levels.size(), steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    const Level<3> alone = ExtractLevel(stream, steps[i]);
+    EXPECT_EQ(levels[i].Step, steps[i]);
+    ASSERT_EQ(levels[i].Faces.size(), alone.Faces.size());
+    for (std::size_t face = 0; face < alone.Faces.size(); ++face)
+    {
+      EXPECT_EQ(levels[i].Faces[face].Corners, alone.Faces[face].Corners);
+      EXPECT_EQ(levels[i].Faces[face].Behind, alone.Faces[face].Behind);
+    }
+  }
+  EXPECT_TRUE(ExtractLevels(stream, {}).empty());
+}

@@ -75,7 +75,7 @@ bool SideInDoubles(const Inexact::Point_3& p, const Inexact::Point_3& q, const I
   const Inexact::Point_3& b, const Inexact::Point_3& x, CGAL::Orientation& side)
 {
   constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
-  double u[3], v[3], w[3], mostU = 0.0, mostV = 0.0, mostW = 0.0;
+  double u[3] = {}, v[3] = {}, w[3] = {}, mostU = 0.0, mostV = 0.0, mostW = 0.0;
   for (int i = 0; i < 3; ++i)
   {
     u[i] = q[i] - p[i];

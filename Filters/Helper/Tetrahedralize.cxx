@@ -118,6 +118,18 @@ std::size_t MaximumPoints(std::size_t numberOfPoints)
   return 10 * numberOfPoints + 100000;
 }
 
+/** How many cells are flat or inside out; without any, none overlap. Exact. */
+std::ptrdiff_t CountTurnedCells(const Tetrahedralization& result)
+{
+  const std::vector<Point>& points = result.Surface.Points;
+  return std::count_if(result.Cells.begin(), result.Cells.end(),
+    [&](const Tetrahedralization::Cell& cell)
+    {
+      return CGAL::orientation(ToInexact(points[cell[0]]), ToInexact(points[cell[1]]),
+               ToInexact(points[cell[2]]), ToInexact(points[cell[3]])) != CGAL::POSITIVE;
+    });
+}
+
 /** Finds M's triangles among the faces; returns how many are missing. */
 std::size_t FindConstraints(Tetrahedralization& result)
 {
@@ -229,6 +241,10 @@ std::string Tetrahedralize(
     }
   }
   CopyCells(out, result);
+  if (const std::ptrdiff_t turned = CountTurnedCells(result))
+  {
+    return "TetGen made " + std::to_string(turned) + " tetrahedra that are flat or inside out";
+  }
   if (!FillHull(result))
   {
     return "TetGen left gaps between the tetrahedra";

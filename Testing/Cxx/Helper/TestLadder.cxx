@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Adjacency.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
 #include "Shapes.h"
@@ -101,6 +102,25 @@ TEST(Ladder, EndsInEnclosingWhereTetGenFails)
   ASSERT_TRUE(any.Succeeded()) << any.Reply.Error;
   EXPECT_EQ(any.Reply.Rung, "Delaunay, enclosing");
   EXPECT_NE(any.Reply.Attempts, "");
+}
+
+// A tetrahedralization some of whose cells overlap is none, and the next order is tried. (These boxes make
+// TetGen give one; random soups found them.)
+TEST(Ladder, TakesNoCellsThatOverlap)
+{
+  Job job;
+  job.Mesh = models::Joined(models::Flipped(models::Box({ 0, 1, 2 }, { 3, 3, 5 })),
+    models::Joined(models::Box({ 3, 2, 3 }, { 5, 3, 6 }), models::Box({ 1, 3, 3 }, { 3, 4, 4 })));
+  job.Initial = InitialApproximation::BoundingBox;
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  Tetrahedralization result = run.Reply.Result;
+  EXPECT_TRUE(FindAdjacency(result)); // no face has three cells
+  for (const auto& [a, b, c, d] : result.Cells)
+  {
+    const std::vector<Point>& p = result.Surface.Points;
+    EXPECT_GT(SixVolume(p[a], p[b], p[c], p[d]), 0.0);
+  }
 }
 
 // A mesh without volume is no matter of rungs.

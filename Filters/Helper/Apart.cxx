@@ -91,6 +91,11 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
     {
       _exit(Failed); // it died before it could have been a signal
     }
+    // A crash is to end it by a signal, which can be named, whoever has put a handler there.
+    for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT })
+    {
+      std::signal(crash, SIG_DFL);
+    }
     Limit(limits);
     int code = OutOfMemory;
     try

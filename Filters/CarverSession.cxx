@@ -32,8 +32,8 @@
 template <int D>
 struct CarverSession<D>::Leaf
 {
-  vtkMTimeType Time = 0;        ///< of the leaf; unique, so that it identifies the leaf as well
-  CarverSettings Settings;      ///< of which those for the helper program matter
+  vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
+  carving::HelperOptions Options;
   vtkMTimeType InitialTime = 0; ///< of the given initial approximation
   typename Kind<D>::Input Input;
   typename Kind<D>::Input Initial;
@@ -73,14 +73,6 @@ private:
 
 namespace
 {
-
-/** Whether the helper program would make the same of a mesh. */
-bool SameForHelper(const CarverSettings& a, const CarverSettings& b)
-{
-  return a.Initial == b.Initial && a.Conformity == b.Conformity &&
-    a.EnclosingTolerance == b.EnclosingTolerance && a.TimeLimit == b.TimeLimit &&
-    a.MemoryLimit == b.MemoryLimit;
-}
 
 constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "measure", "output" };
 
@@ -154,14 +146,14 @@ std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtk
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
     if (leaf->Time == input->GetMTime() && leaf->InitialTime == initialTime &&
-      SameForHelper(leaf->Settings, this->Settings))
+      leaf->Options == this->Settings)
     {
       return leaf;
     }
   }
   const auto leaf = std::make_shared<Leaf>();
   leaf->Time = input->GetMTime();
-  leaf->Settings = this->Settings;
+  leaf->Options = this->Settings;
   leaf->InitialTime = initialTime;
   std::string error = leaf->Input.Gather(input);
   leaf->Empty = leaf->Input.IsEmpty();
@@ -192,11 +184,7 @@ bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
 {
   const Timer timer(*this, TransferStage);
   carving::Job job;
-  job.Initial = leaf.Settings.Initial;
-  job.Conformity = leaf.Settings.Conformity;
-  job.EnclosingTolerance = leaf.Settings.EnclosingTolerance;
-  job.TimeLimit = leaf.Settings.TimeLimit;
-  job.MemoryLimit = leaf.Settings.MemoryLimit;
+  static_cast<carving::HelperOptions&>(job) = leaf.Options;
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, leaf.Reply,

@@ -14,14 +14,9 @@
 #include <vector>
 
 /** The properties of the filter that an update depends on. */
-struct CarverSettings
+struct CarverSettings : carving::HelperOptions
 {
-  carving::InitialApproximation Initial = carving::InitialApproximation::ConvexHull;
-  carving::Conformity Conformity = carving::Conformity::Auto;
-  double EnclosingTolerance = 0.02;
   bool AppendInput = false;
-  double TimeLimit = 0.0;
-  double MemoryLimit = 0.0;
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
   carving::CarveOptions Carve;
   bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy

@@ -7,6 +7,7 @@
 #define carving_Mesh_h
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,17 @@ struct ResolvedInput
   std::vector<int> Counts;
 };
 using ResolvedMesh = ResolvedInput<3>;
+
+/** Appends a facet that is (a part of) facet i of `from`, with all that is known of that. */
+template <int D>
+void AppendFacet(const ResolvedInput<D>& from, std::size_t i, const std::array<int, D>& corners,
+  ResolvedInput<D>& to)
+{
+  to.Facets.push_back(corners);
+  to.FacetSources.push_back(from.FacetSources[i]);
+  to.Windings.push_back(from.Windings[i]);
+  to.Counts.push_back(from.Counts[i]);
+}
 
 /** What a cell has for a neighbor where there is no other cell. */
 constexpr int Outside = -1; ///< the exterior of C0

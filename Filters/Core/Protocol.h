@@ -48,15 +48,27 @@ enum class Conformity : int
   Auto = 2       ///< where it can be done
 };
 
-struct Job
+/** What the user can set of the helper's work. */
+struct HelperOptions
 {
-  JobKind Kind = JobKind::Tetrahedralize;
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Exact;
   /** How far what is kept may reach from M, a share of the diagonal of M's bounds; 0: any distance. */
   double EnclosingTolerance = 0.02;
   double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
+
+  bool operator==(const HelperOptions& other) const
+  {
+    return this->Initial == other.Initial && this->Conformity == other.Conformity &&
+      this->EnclosingTolerance == other.EnclosingTolerance && this->TimeLimit == other.TimeLimit &&
+      this->MemoryLimit == other.MemoryLimit;
+  }
+};
+
+struct Job : HelperOptions
+{
+  JobKind Kind = JobKind::Tetrahedralize;
   TriangleMesh Mesh;
   TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
   ContourSet Contours;        ///< for JobKind::Triangulate

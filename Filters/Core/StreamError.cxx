@@ -17,11 +17,6 @@ namespace
 /** By how much a distance may be too large. */
 constexpr double Tolerance = 1.01;
 
-Point Between(const Point& a, const Point& b, double t)
-{
-  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
-}
-
 /** The side of a piece of a face that is to be halved: the longest. */
 template <int D>
 int LongestSide(const FacetCorners<D>& piece)

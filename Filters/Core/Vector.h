@@ -35,6 +35,12 @@ inline double Length(const Point& a)
   return std::sqrt(Dot(a, a));
 }
 
+/** The point a share t of the way from a to b. */
+inline Point Between(const Point& a, const Point& b, double t)
+{
+  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+}
+
 /** The corners of the bounding box of at least one point. */
 inline void GetBounds(const std::vector<Point>& points, Point& lower, Point& upper)
 {

@@ -133,10 +133,7 @@ ResolvedMesh Clean(const ResolvedMesh& mesh)
     {
       used[corner] = 1;
     }
-    result.Facets.push_back(t);
-    result.FacetSources.push_back(mesh.FacetSources[i]);
-    result.Windings.push_back(mesh.Windings[i]);
-    result.Counts.push_back(mesh.Counts[i]);
+    AppendFacet<3>(mesh, i, t, result);
   }
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {

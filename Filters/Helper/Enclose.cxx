@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Enclose.h"
 
+#include "Effort.h"
+#include "Priority.h"
 #include "Refine.h"
-#include "Vector.h"
-
-#include <limits>
 
 using namespace carving;
 
@@ -12,12 +11,6 @@ namespace
 {
 
 using Cell = PiercedMesh::Cell;
-
-/** More points than that are of no use to anybody: it bounds the time. */
-std::size_t MaximumPoints(std::size_t numberOfInputPoints)
-{
-  return 10 * numberOfInputPoints + 100000;
-}
 
 void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
 {
@@ -59,11 +52,8 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
       const int facet = static_cast<int>(surface.Facets.size());
       const int parent = mesh.GetParts().GetParts()[part].Parent;
       const Triangle outward = result.OutwardFace(index, f);
-      surface.Facets.push_back(
-        FaceAlike(mesh.CornersOf(part), FaceOf(cell, f)) ? outward : Flipped<3>(outward));
-      surface.FacetSources.push_back(input.FacetSources[parent]);
-      surface.Windings.push_back(input.Windings[parent]);
-      surface.Counts.push_back(input.Counts[parent]);
+      AppendFacet<3>(input, parent,
+        FaceAlike(mesh.CornersOf(part), FaceOf(cell, f)) ? outward : Flipped<3>(outward), surface);
       result.Constraints[index][f] = facet;
       const Cell other = cell->neighbor(f);
       if (!mesh.GetDelaunay().is_infinite(other))
@@ -80,14 +70,12 @@ double Enclose(const ResolvedMesh& input, const std::vector<Point>& further, dou
   const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
   PiercedMesh mesh(input, further, [&](double done) { return progress(done / 2.0); });
-  Point lower, upper;
-  GetBounds(input.Points, lower, upper);
-  const double diagonal = Length(upper - lower);
+  const double diagonal = Diagonal(input.Points);
   const SurfaceDistance distance(input);
   if (tolerance > 0.0)
   {
     constexpr double Accuracy = 1.05; // of distances
-    Refine(mesh, distance, tolerance * diagonal / Accuracy, MaximumPoints(input.Points.size()),
+    Refine(mesh, distance, tolerance * diagonal / Accuracy, MaximumPointsAdded(input.Points.size()),
       [&](double done) { return progress((1.0 + done) / 2.0); });
   }
   result = {};

@@ -2,6 +2,7 @@
 #include "Hull.h"
 
 #include "Kernels.h"
+#include "Priority.h"
 #include "Vector.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -49,8 +50,6 @@ bool FillHull(const Tetrahedralization& mesh)
   {
     sum += SixVolume(points[a], points[b], points[c], points[d]);
   }
-  Point lower, upper;
-  GetBounds(points, lower, upper);
   const double hull = SixHullVolume(points);
-  return std::abs(sum - hull) <= 1e-9 * hull + 1e-14 * std::pow(Length(upper - lower), 3.0);
+  return std::abs(sum - hull) <= 1e-9 * hull + 1e-14 * std::pow(Diagonal(points), 3.0);
 }

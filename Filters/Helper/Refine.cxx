@@ -48,11 +48,6 @@ bool Shows(const PiercedMesh& mesh, const Cell& cell, int f)
   return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
 }
 
-Point Between(const Point& a, const Point& b, double t)
-{
-  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
-}
-
 /** The part of a triangle within a cell, or nearly so: a convex polygon. */
 std::vector<Point> Clip(const Corners& triangle, const Cell& cell)
 {

@@ -63,15 +63,6 @@ Point Round(const Exact::Point_3& p)
     CGAL::to_double(CGAL::exact(p.z())) };
 }
 
-void AppendPiece(
-  const ResolvedMesh& mesh, int triangle, const Triangle& piece, ResolvedMesh& result)
-{
-  result.Facets.push_back(piece);
-  result.FacetSources.push_back(mesh.FacetSources[triangle]);
-  result.Windings.push_back(mesh.Windings[triangle]);
-  result.Counts.push_back(mesh.Counts[triangle]);
-}
-
 /** Appends the triangle, cut into the faces of its constrained triangulation, to `result`. */
 void AppendPieces(const ResolvedMesh& mesh, int triangle, const Cuts& cuts, ResolvedMesh& result)
 {
@@ -113,7 +104,7 @@ void AppendPieces(const ResolvedMesh& mesh, int triangle, const Cuts& cuts, Reso
       }
       piece[i] = found->second;
     }
-    AppendPiece(mesh, triangle, piece, result);
+    AppendFacet<3>(mesh, triangle, piece, result);
   }
 }
 
@@ -164,7 +155,7 @@ std::string Resolve(
       const auto found = cuts.find(i);
       if (found == cuts.end())
       {
-        AppendPiece(mesh, i, mesh.Facets[i], next);
+        AppendFacet<3>(mesh, i, mesh.Facets[i], next);
       }
       else
       {

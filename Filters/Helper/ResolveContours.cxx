@@ -46,10 +46,7 @@ std::vector<int> FirstEqualPoints(const std::vector<Point>& points)
 
 void AppendEdge(const Contours& from, std::size_t i, const Edge& ends, Contours& to)
 {
-  to.Facets.push_back(ends);
-  to.FacetSources.push_back(from.FacetSources[i]);
-  to.Windings.push_back(from.Windings[i]);
-  to.Counts.push_back(from.Counts[i]);
+  AppendFacet<2>(from, i, ends, to);
   to.Initial.push_back(from.Initial[i]);
 }
 

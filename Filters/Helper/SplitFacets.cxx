@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "SplitFacets.h"
 
+#include "FacetTree.h"
 #include "Pierce.h"
 #include "Vector.h"
 
@@ -12,12 +13,7 @@ using namespace carving;
 namespace
 {
 
-using Corners = std::array<Point, 3>;
-
-Corners CornersOf(const ResolvedMesh& mesh, const Triangle& t)
-{
-  return { mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]] };
-}
+using Corners = FacetCorners<3>;
 
 Corners3 ToInexact(const Corners& t)
 {
@@ -29,20 +25,16 @@ double Perimeter(const Corners& t)
   return Length(t[1] - t[0]) + Length(t[2] - t[1]) + Length(t[0] - t[2]);
 }
 
-double DistanceToEdge(const Point& a, const Point& b, const Point& p)
-{
-  const Point edge = b - a;
-  const double t = std::clamp(Dot(p - a, edge) / Dot(edge, edge), 0.0, 1.0);
-  return Length(p - Point{ a[0] + t * edge[0], a[1] + t * edge[1], a[2] + t * edge[2] });
-}
-
 /** A sliver hardly knows its plane: what is at an edge of it is on it in any case. */
 bool IsOn(const Corners& t, const Point& p, double rounding)
 {
   const Point normal = Cross(t[1] - t[0], t[2] - t[0]);
-  return std::abs(Dot(p - t[0], normal)) <= rounding * Length(normal) ||
-    DistanceToEdge(t[0], t[1], p) <= rounding || DistanceToEdge(t[1], t[2], p) <= rounding ||
-    DistanceToEdge(t[2], t[0], p) <= rounding;
+  bool on = std::abs(Dot(p - t[0], normal)) <= rounding * Length(normal);
+  for (int i = 0; i < 3; ++i)
+  {
+    on = on || DistanceTo(FacetCorners<2>{ t[i], t[(i + 1) % 3] }, p) <= rounding;
+  }
+  return on;
 }
 
 double TwiceArea(const Corners& t)
@@ -61,14 +53,14 @@ std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& su
   std::vector<double> uncovered, allowed;
   for (const Triangle& t : surface.Facets)
   {
-    const Corners corners = CornersOf(surface, t);
+    const Corners corners = CornersOf<3>(surface.Points, t);
     uncovered.push_back(TwiceArea(corners));
     allowed.push_back(1e-9 * TwiceArea(corners) + rounding * Perimeter(corners));
   }
   for (const FacetPart& part : parts)
   {
-    const Corners corners = CornersOf(surface, part.Corners),
-                  whole = CornersOf(surface, surface.Facets[part.Parent]);
+    const Corners corners = CornersOf<3>(surface.Points, part.Corners),
+                  whole = CornersOf<3>(surface.Points, surface.Facets[part.Parent]);
     for (const Point& corner : corners)
     {
       if (!IsOn(whole, corner, rounding))

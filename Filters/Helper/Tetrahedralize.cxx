@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Tetrahedralize.h"
 
+#include "Effort.h"
 #include "Hull.h"
 #include "Kernels.h"
 #include "Protocol.h"
@@ -112,12 +113,6 @@ Triangle Sorted(Triangle t)
   return t;
 }
 
-/** More points than that are of no use to anybody. */
-std::size_t MaximumPoints(std::size_t numberOfPoints)
-{
-  return 10 * numberOfPoints + 100000;
-}
-
 /** How many cells are flat or inside out; without any, none overlap. Exact. */
 std::ptrdiff_t CountTurnedCells(const Tetrahedralization& result)
 {
@@ -193,7 +188,7 @@ std::string Tetrahedralize(
   const std::vector<Point>& further, SurfacePoints surfacePoints, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
-  const std::size_t mostPoints = surface.Points.size() + MaximumPoints(surface.Points.size());
+  const std::size_t mostPoints = surface.Points.size() + MaximumPointsAdded(surface.Points.size());
   std::vector<Point> points = surface.Points;
   points.insert(points.end(), further.begin(), further.end());
   tetgenio in, out;

@@ -109,10 +109,7 @@ Decomposition<2> SortPoints(const Contours& contours, std::vector<char>& initial
     {
       if (first == (contours.Counts[i] > 0))
       {
-        to.Facets.push_back(contours.Facets[i]);
-        to.FacetSources.push_back(contours.FacetSources[i]);
-        to.Windings.push_back(contours.Windings[i]);
-        to.Counts.push_back(contours.Counts[i]);
+        AppendFacet<2>(contours, i, contours.Facets[i], to);
         initial.push_back(contours.Initial[i]);
       }
     }

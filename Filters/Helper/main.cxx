@@ -151,8 +151,6 @@ std::string ReadAll(std::istream& in)
   return all;
 }
 
-} // namespace
-
 /** Writes to the reply's file from its beginning, so that what a process before has left is gone. */
 bool WriteReply(int descriptor, Reply& reply)
 {
@@ -177,6 +175,8 @@ bool WriteReply(int descriptor, Reply& reply)
   }
   return true;
 }
+
+} // namespace
 
 int main()
 {

@@ -60,18 +60,6 @@ int CountComponents(vtkPolyData* surface)
   return components->GetNumberOfExtractedRegions();
 }
 
-std::string GetNotes(vtkTopologyCarver* carver)
-{
-  auto* notes =
-    vtkStringArray::SafeDownCast(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"));
-  std::string text;
-  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
-  {
-    text += notes->GetValue(i) + "\n";
-  }
-  return text;
-}
-
 } // namespace
 
 // A torus is carved to a torus; without a tunnel to spend its last level is a sphere around it, and a note

@@ -9,6 +9,7 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <cmath>
 
 using carving::Point;
 using carving::Triangle;
@@ -163,6 +164,18 @@ bool LineHits(const std::vector<Point>& points, const std::vector<Triangle>& tri
     ToInexact(point), Inexact::Vector_3(direction[0], direction[1], direction[2]));
   return std::any_of(triangles.begin(), triangles.end(),
     [&](const Triangle& t) { return CGAL::do_intersect(line, ToTriangle(points, t)); });
+}
+
+double DistanceTo(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& point)
+{
+  double nearest = HUGE_VAL; // squared
+  for (const Triangle& t : triangles)
+  {
+    nearest = std::min(
+      nearest, CGAL::to_double(CGAL::squared_distance(ToInexact(point), ToTriangle(points, t))));
+  }
+  return std::sqrt(nearest);
 }
 
 } // namespace checks

@@ -38,6 +38,10 @@ bool LineHits(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point,
   const carving::Point& direction);
 
+/** The distance of a point from the triangle nearest to it. */
+double DistanceTo(const std::vector<carving::Point>& points,
+  const std::vector<carving::Triangle>& triangles, const carving::Point& point);
+
 } // namespace checks
 
 #endif

@@ -3,16 +3,15 @@
  * @file
  * Enclosing mode: how near its tightest level comes.
  */
+#include "Checks.h"
 #include "HelperRun.h"
+#include "Priority.h"
 #include "RandomModels.h"
 #include "Shapes.h"
-#include "Vector.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 using namespace carving;
@@ -27,20 +26,6 @@ HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance)
   job.Conformity = Conformity::Enclosing;
   job.EnclosingTolerance = tolerance;
   return RunHelper(job);
-}
-
-double DistanceTo(const TriangleMesh& mesh, const Point& p)
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  const auto toKernel = [](const Point& x) { return Kernel::Point_3(x[0], x[1], x[2]); };
-  double nearest = HUGE_VAL;
-  for (const auto& [a, b, c] : mesh.Triangles)
-  {
-    const Kernel::Triangle_3 triangle(
-      toKernel(mesh.Points[a]), toKernel(mesh.Points[b]), toKernel(mesh.Points[c]));
-    nearest = std::min(nearest, CGAL::squared_distance(toKernel(p), triangle));
-  }
-  return std::sqrt(nearest);
 }
 
 /** The largest distance from a mesh of points drawn on the faces of what is kept. */
@@ -66,18 +51,11 @@ double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
           p[i] = (1.0 - u - v) * result.Surface.Points[face[0]][i] +
             u * result.Surface.Points[face[1]][i] + v * result.Surface.Points[face[2]][i];
         }
-        farthest = std::max(farthest, DistanceTo(mesh, p));
+        farthest = std::max(farthest, checks::DistanceTo(mesh.Points, mesh.Triangles, p));
       }
     }
   }
   return farthest;
-}
-
-double DiagonalOf(const TriangleMesh& mesh)
-{
-  Point lower, upper;
-  GetBounds(mesh.Points, lower, upper);
-  return Length(upper - lower);
 }
 
 } // namespace
@@ -93,7 +71,7 @@ TEST(Refine, ReachesTheTolerance)
     const double tolerance = std::array{ 0.03, 0.06, 0.12 }[random() % 3];
     const HelperRun run = RunEnclosing(mesh, tolerance);
     ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    EXPECT_LE(run.Reply.KeptDistance, 1.05 * tolerance * DiagonalOf(mesh));
+    EXPECT_LE(run.Reply.KeptDistance, 1.05 * tolerance * Diagonal(mesh.Points));
     EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
   }
 }
@@ -116,7 +94,7 @@ TEST(Refine, AddsVerticesOnlyIfTold)
     {
       EXPECT_EQ(run.Reply.PointsAdded, 0);
       EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
-      EXPECT_GT(run.Reply.KeptDistance, 0.02 * DiagonalOf(mesh));
+      EXPECT_GT(run.Reply.KeptDistance, 0.02 * Diagonal(mesh.Points));
     }
     else
     {

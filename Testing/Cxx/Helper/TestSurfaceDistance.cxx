@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
 #include "Shapes.h"
 #include "SurfaceDistance.h"
 #include "Vector.h"
 
-#include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,8 +26,6 @@ ResolvedMesh AsMesh(const TriangleMesh& mesh)
 /** The largest distance from a mesh of the points of a grid on a triangle. */
 double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& t)
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  const auto toKernel = [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); };
   constexpr int N = 40;
   double farthest = 0.0;
   for (int i = 0; i <= N; ++i)
@@ -40,14 +38,7 @@ double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& 
       {
         p[k] = a * t[0][k] + b * t[1][k] + c * t[2][k];
       }
-      double nearest = HUGE_VAL;
-      for (const Triangle& corners : mesh.Triangles)
-      {
-        const Kernel::Triangle_3 triangle(toKernel(mesh.Points[corners[0]]),
-          toKernel(mesh.Points[corners[1]]), toKernel(mesh.Points[corners[2]]));
-        nearest = std::min(nearest, CGAL::squared_distance(toKernel(p), triangle));
-      }
-      farthest = std::max(farthest, std::sqrt(nearest));
+      farthest = std::max(farthest, checks::DistanceTo(mesh.Points, mesh.Triangles, p));
     }
   }
   return farthest;

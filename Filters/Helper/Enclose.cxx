@@ -28,7 +28,7 @@ void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
     for (int i = 0; i < 4; ++i)
     {
       const Cell other = cell->neighbor(i);
-      corners[i] = cell->vertex(i)->info();
+      corners[i] = cell->vertex(i)->info().Index;
       neighbors[i] = delaunay.is_infinite(other) ? Outside : other->info().Index;
     }
     result.Kept.push_back(cell->info().IsPierced());

@@ -14,8 +14,7 @@
 struct Meeting
 {
   int Part;
-  bool Pierces;               ///< else it only lies on faces
-  std::array<bool, 4> OnFace; ///< which faces it overlaps in an area
+  Contact How;
 };
 
 /** What a tetrahedron knows. */
@@ -24,6 +23,7 @@ struct Meetings
   std::vector<Meeting> All;
   int NumberOfPiercing = 0;
   std::array<bool, 4> Near = {}; ///< faces found to be near enough to M
+  unsigned LastWalk = 0;         ///< that came by
   int Index = -1;
 
   void Add(const Meeting& meeting);
@@ -36,8 +36,5 @@ struct Meetings
   /** The first part on a face; -1: none. */
   int PartOn(int f) const;
 };
-
-/** How a part with these corners lies to a tetrahedron; returns whether they meet. */
-bool Meet(const Corners3& part, const Corners4& tetrahedron, Meeting& meeting);
 
 #endif

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Pierce.h"
 
+#include "Vector.h"
+
 #include <CGAL/Filtered_predicate.h>
 
 #include <algorithm>
 #include <cmath>
 
-using carving::FaceCorners;
+using namespace carving;
 
 namespace
 {
@@ -37,22 +39,93 @@ CGAL::Orientation SideOfPlane(const Inexact::Point_3& a, const Inexact::Point_3&
   return x == a || x == b || x == c ? CGAL::COPLANAR : CGAL::orientation(a, b, c, x);
 }
 
-bool FaceSeparates(const Corners3& t, const Corners4& k)
+/** From one point to another in doubles; its largest entry is 0 just if they are equal. */
+struct Difference
 {
-  for (const auto& f : FaceCorners)
+  Point Along;
+  double Most;
+
+  Difference(const Inexact::Point_3& from, const Inexact::Point_3& to)
+    : Along{ to.x() - from.x(), to.y() - from.y(), to.z() - from.z() }
+    , Most(
+        std::max({ std::abs(this->Along[0]), std::abs(this->Along[1]), std::abs(this->Along[2]) }))
   {
+  }
+};
+
+/** Two differences, which may be asked for their determinant with others. */
+class Planar
+{
+public:
+  Planar(const Difference& u, const Difference& v)
+    : Normal(Cross(u.Along, v.Along))
+    , Limit(Bound * u.Most * v.Most)
+    , Usable(std::min(u.Most, v.Most) > Tiny && std::max(u.Most, v.Most) < Huge)
+  {
+  }
+
+  /**
+   * Whether rounding cannot turn the determinant's sign: its error is below Bound times the product of
+   * the differences' largest entries, by some three times.
+   */
+  bool FindSide(const Difference& w, CGAL::Orientation& side) const
+  {
+    const double determinant = Dot(this->Normal, w.Along);
+    side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+    return this->Usable && w.Most > Tiny && w.Most < Huge &&
+      std::abs(determinant) > this->Limit * w.Most;
+  }
+
+private:
+  static constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
+  Point Normal;
+  double Limit;
+  bool Usable;
+};
+
+/** Whether a triangle may meet a tetrahedron as far as their bounding boxes can tell. */
+bool AreClose(const Corners3& corners, const Corners4& k)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto [least, most] = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
+    const auto [lower, upper] = std::minmax({ k[0][i], k[1][i], k[2][i], k[3][i] });
+    const bool apart =
+      least == most ? least > upper || most < lower : least >= upper || most <= lower;
+    if (apart)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** A face of the tetrahedron that has all of the triangle in front of it or in its plane; -1: none. */
+int SeparatingFace(const Corners3& t, const Corners4& k, bool& inPlane)
+{
+  for (int face = 0; face < 4; ++face)
+  {
+    const auto& f = FaceCorners[face];
+    const Planar plane({ k[f[0]], k[f[1]] }, { k[f[0]], k[f[2]] });
     bool outside = true;
+    inPlane = true;
     for (int i = 0; i < 3 && outside; ++i)
     {
+      CGAL::Orientation side;
+      if (!plane.FindSide({ k[f[0]], t[i] }, side))
+      {
+        side = SideOfPlane(k[f[0]], k[f[1]], k[f[2]], t[i]);
+      }
       // Corners that see a face counter-clockwise are in front of it.
-      outside = SideOfPlane(k[f[0]], k[f[1]], k[f[2]], t[i]) != CGAL::NEGATIVE;
+      outside = side != CGAL::NEGATIVE;
+      inPlane = inPlane && side == CGAL::COPLANAR;
     }
     if (outside)
     {
-      return true;
+      return face;
     }
   }
-  return false;
+  return -1;
 }
 
 bool TriangleSeparates(const Corners3& t, const Corners4& k)
@@ -67,63 +140,63 @@ bool TriangleSeparates(const Corners3& t, const Corners4& k)
   return above || below;
 }
 
-/**
- * The same in doubles where rounding cannot turn the sign: the error of a determinant of differences is
- * below Bound times the product of the columns' largest entries, by some three times.
- */
-bool SideInDoubles(const Inexact::Point_3& p, const Inexact::Point_3& q, const Inexact::Point_3& a,
-  const Inexact::Point_3& b, const Inexact::Point_3& x, CGAL::Orientation& side)
+/** For each corner of the triangle the same one of the tetrahedron; -1: none. */
+std::array<int, 3> CommonCorners(const Corners3& t, const Corners4& k)
 {
-  constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
-  double u[3] = {}, v[3] = {}, w[3] = {}, mostU = 0.0, mostV = 0.0, mostW = 0.0;
+  std::array<int, 3> common;
   for (int i = 0; i < 3; ++i)
   {
-    u[i] = q[i] - p[i];
-    v[i] = b[i] - a[i];
-    w[i] = x[i] - p[i];
-    mostU = std::max(mostU, std::abs(u[i]));
-    mostV = std::max(mostV, std::abs(v[i]));
-    mostW = std::max(mostW, std::abs(w[i]));
+    const auto found = std::find(k.begin(), k.end(), t[i]);
+    common[i] = found == k.end() ? -1 : static_cast<int>(found - k.begin());
   }
-  const double determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +
-    u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
-  side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-  return std::min({ mostU, mostV, mostW }) > Tiny && std::max({ mostU, mostV, mostW }) < Huge &&
-    std::abs(determinant) > Bound * mostU * mostV * mostW;
-}
-
-CGAL::Orientation Side(const Inexact::Point_3& p, const Inexact::Point_3& q,
-  const Inexact::Point_3& a, const Inexact::Point_3& b, const Inexact::Point_3& x)
-{
-  const auto isOf = [&](const Inexact::Point_3& c) { return c == p || c == q || c == x; };
-  if (x == p || x == q || (isOf(a) && isOf(b)))
-  {
-    return CGAL::ZERO;
-  }
-  CGAL::Orientation side;
-  return SideInDoubles(p, q, a, b, x, side) ? side : FilteredSideAlongEdges()(p, q, a, b, x);
+  return common;
 }
 
 bool EdgesSeparate(const Corners3& t, const Corners4& k)
 {
+  const std::array<int, 3> common = CommonCorners(t, k);
+  const std::array<Difference, 3> ofTriangle = { Difference(t[0], t[1]), Difference(t[1], t[2]),
+    Difference(t[2], t[0]) };
   for (int e = 0; e < 6; ++e)
   {
-    const auto& p = k[Edges[e][0]];
-    const auto& q = k[Edges[e][1]];
+    const auto& [first, second] = Edges[e];
+    const auto& p = k[first];
+    const auto& q = k[second];
+    const Difference edge(p, q);
+    const std::array<Difference, 2> toOthers = { Difference(p, k[Others[e][0]]),
+      Difference(p, k[Others[e][1]]) };
     for (int i = 0; i < 3; ++i)
     {
+      const int next = (i + 1) % 3, last = (i + 2) % 3;
       const auto& a = t[i];
-      const auto& b = t[(i + 1) % 3];
-      const int r = Side(p, q, a, b, k[Others[e][0]]), s = Side(p, q, a, b, k[Others[e][1]]);
+      const auto& b = t[next];
+      const Planar planes(edge, ofTriangle[i]);
+      const auto sideOf = [&](const Inexact::Point_3& x, const Difference& toX)
+      {
+        CGAL::Orientation side;
+        return planes.FindSide(toX, side) ? side : FilteredSideAlongEdges()(p, q, a, b, x);
+      };
+      const auto sideOfOther = [&](int n)
+      {
+        const int beyond = Others[e][1 - n];
+        const bool bothInPlane = common[i] >= 0 && common[next] >= 0 && common[i] != beyond &&
+          common[next] != beyond; // the edge is one of p, q and this corner
+        return bothInPlane ? CGAL::ZERO : sideOf(k[Others[e][n]], toOthers[n]);
+      };
+      const int r = sideOfOther(0), s = sideOfOther(1);
       if (r * s < 0 || (r == 0 && s == 0))
       {
         continue; // no plane that supports the tetrahedron, or parallel edges
       }
       const int own = r != 0 ? r : s;
+      const auto isBeyond = [&](int corner)
+      {
+        return common[corner] == first || common[corner] == second ||
+          own * sideOf(t[corner], { p, t[corner] }) <= 0;
+      };
       // The side of a is that of b: the plane is parallel to their edge.
-      const bool touches = b == p || b == q;
-      if ((touches || own * Side(p, q, a, b, a) <= 0) &&
-        own * Side(p, q, a, b, t[(i + 2) % 3]) <= 0)
+      const bool touches = common[next] == first || common[next] == second;
+      if ((touches || isBeyond(i)) && isBeyond(last))
       {
         return true;
       }
@@ -178,23 +251,9 @@ bool EdgeSeparates(const Flat& a, const Flat& b)
   return false;
 }
 
-} // namespace
-
-bool Pierces(const Corners3& triangle, const Corners4& tetrahedron)
+/** Whether the interiors of two triangles in one plane meet. */
+bool Overlap(const Corners3& a, const Corners3& b)
 {
-  return !FaceSeparates(triangle, tetrahedron) && !TriangleSeparates(triangle, tetrahedron) &&
-    !EdgesSeparate(triangle, tetrahedron);
-}
-
-bool OverlapInPlane(const Corners3& a, const Corners3& b)
-{
-  for (const auto& p : b)
-  {
-    if (SideOfPlane(a[0], a[1], a[2], p) != CGAL::COPLANAR)
-    {
-      return false;
-    }
-  }
   const std::array<int, 2> axes = ProjectionOf(a);
   const Flat first = Project(a, axes);
   Flat second = Project(b, axes);
@@ -203,6 +262,37 @@ bool OverlapInPlane(const Corners3& a, const Corners3& b)
     std::swap(second[1], second[2]);
   }
   return !EdgeSeparates(first, second) && !EdgeSeparates(second, first);
+}
+
+} // namespace
+
+Contact FindContact(const Corners3& triangle, const Corners4& k)
+{
+  Contact contact;
+  if (!AreClose(triangle, k))
+  {
+    return contact;
+  }
+  bool inPlane = false;
+  const int face = SeparatingFace(triangle, k, inPlane);
+  if (face < 0)
+  {
+    contact.Pierces = !TriangleSeparates(triangle, k) && !EdgesSeparate(triangle, k);
+  }
+  else if (inPlane)
+  {
+    const auto& [a, b, c] = FaceCorners[face];
+    contact.Face = Overlap(triangle, { k[a], k[b], k[c] }) ? face : -1;
+  }
+  return contact; // what is in front of one face overlaps no other
+}
+
+bool OverlapInPlane(const Corners3& a, const Corners3& b)
+{
+  return std::all_of(b.begin(), b.end(),
+           [&](const Inexact::Point_3& p)
+           { return SideOfPlane(a[0], a[1], a[2], p) == CGAL::COPLANAR; }) &&
+    Overlap(a, b);
 }
 
 bool FaceAlike(const Corners3& a, const Corners3& b)

@@ -2,8 +2,6 @@
 #include "PiercedMesh.h"
 
 #include <algorithm>
-#include <set>
-#include <unordered_set>
 
 using namespace carving;
 
@@ -36,16 +34,16 @@ PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& fu
   {
     this->Parts.AddPoint(p);
   }
-  std::vector<std::pair<Inexact::Point_3, int>> points;
+  std::vector<std::pair<Inexact::Point_3, VertexInfo>> points;
   for (const Point& p : this->Parts.GetPoints())
   {
-    points.emplace_back(ToInexact(p), static_cast<int>(points.size()));
+    points.push_back({ ToInexact(p), { static_cast<int>(points.size()) } });
   }
   this->Mesh.insert(points.begin(), points.end());
   this->Vertices.resize(points.size());
   for (const Vertex v : this->Mesh.finite_vertex_handles())
   {
-    this->Vertices[v->info()] = v;
+    this->Vertices[v->info().Index] = v;
   }
   const int count = static_cast<int>(input.Facets.size());
   for (int t = 0; t < count; ++t)
@@ -80,48 +78,49 @@ bool PiercedMesh::PlaceOnFace(int part)
   const Cell other = cell->neighbor(f);
   for (const auto& [side, face] : { std::pair(cell, f), std::pair(other, other->index(cell)) })
   {
-    Meeting meeting = { part, false, {} };
-    meeting.OnFace[face] = true;
     if (!this->Mesh.is_infinite(side))
     {
-      side->info().Add(meeting);
+      side->info().Add({ part, { false, face } });
     }
   }
   return true;
 }
 
+void PiercedMesh::Push(const Cell& cell, std::vector<Cell>& stack)
+{
+  if (cell->info().LastWalk != this->NumberOfWalks && !this->Mesh.is_infinite(cell))
+  {
+    cell->info().LastWalk = this->NumberOfWalks;
+    stack.push_back(cell);
+  }
+}
+
+void PiercedMesh::PushStar(const Vertex& v, std::vector<Cell>& stack)
+{
+  this->Star.clear();
+  this->Mesh.finite_incident_cells(v, std::back_inserter(this->Star));
+  for (const Cell& cell : this->Star)
+  {
+    this->Push(cell, stack);
+  }
+}
+
 /**
- * Visits the tetrahedra that may meet a part: those around its corners, and beyond each for which
+ * Visits the tetrahedra that may meet a part: those around one of its corners, and beyond each for which
  * `visit` says that it does.
  */
 template <class Visit>
 void PiercedMesh::Walk(int part, const Visit& visit)
 {
+  const Triangle& corners = this->Parts.GetParts()[part].Corners;
   const Corners3 triangle = this->CornersOf(part);
-  std::vector<Cell> stack;
-  std::unordered_set<const void*> seen;
-  const auto push = [&](const Cell& cell)
+  ++this->NumberOfWalks;
+  for (const int corner : corners)
   {
-    if (!this->Mesh.is_infinite(cell) && seen.insert(&*cell).second)
-    {
-      stack.push_back(cell);
-    }
-  };
-  std::vector<Cell> star;
-  std::unordered_set<const void*> starred;
-  const auto pushStar = [&](const Vertex& v)
-  {
-    if (starred.insert(&*v).second)
-    {
-      star.clear();
-      this->Mesh.finite_incident_cells(v, std::back_inserter(star));
-      std::for_each(star.begin(), star.end(), push);
-    }
-  };
-  for (const int corner : this->Parts.GetParts()[part].Corners)
-  {
-    pushStar(this->Vertices[corner]);
+    this->Vertices[corner]->info().LastWalk = this->NumberOfWalks;
   }
+  std::vector<Cell>& stack = this->Stack;
+  this->PushStar(this->Vertices[corners[0]], stack);
   while (!stack.empty())
   {
     const Cell cell = stack.back();
@@ -132,16 +131,31 @@ void PiercedMesh::Walk(int part, const Visit& visit)
     }
     for (int i = 0; i < 4; ++i)
     {
-      push(cell->neighbor(i));
-      // Through a corner on the triangle it may go on in cells that share no face with this one.
+      this->Push(cell->neighbor(i), stack);
+      // Along an edge in the triangle it may go on in cells that share no face with this one. An edge
+      // that has two corners of the triangle for its ends is at its border.
       const Vertex v = cell->vertex(i);
-      if (starred.count(&*v) == 0 &&
-        CGAL::orientation(triangle[0], triangle[1], triangle[2], v->point()) == CGAL::COPLANAR)
+      if (v->info().LastWalk != this->NumberOfWalks)
       {
-        pushStar(v);
+        v->info().LastWalk = this->NumberOfWalks;
+        if (CGAL::orientation(triangle[0], triangle[1], triangle[2], v->point()) == CGAL::COPLANAR)
+        {
+          this->PushStar(v, stack);
+        }
       }
     }
   }
+}
+
+/** Notes how a part lies to a cell; returns whether they meet. */
+bool PiercedMesh::Meet(int part, const Corners3& corners, const Cell& cell)
+{
+  const Contact contact = FindContact(corners, CornersOfCell(cell));
+  if (contact.Exists())
+  {
+    cell->info().Add({ part, contact });
+  }
+  return contact.Exists();
 }
 
 /** Finds the tetrahedra that a part meets. */
@@ -149,21 +163,10 @@ void PiercedMesh::Place(int part)
 {
   const Corners3 corners = this->CornersOf(part);
   // Rounding can leave a part without area; its neighbors have all that it would have.
-  if (this->PlaceOnFace(part) || CGAL::collinear(corners[0], corners[1], corners[2]))
+  if (!this->PlaceOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
   {
-    return;
+    this->Walk(part, [&](const Cell& cell) { return this->Meet(part, corners, cell); });
   }
-  this->Walk(part,
-    [&](const Cell& cell)
-    {
-      Meeting meeting = { part, false, {} };
-      const bool met = Meet(corners, CornersOfCell(cell), meeting);
-      if (met)
-      {
-        cell->info().Add(meeting);
-      }
-      return met;
-    });
 }
 
 void PiercedMesh::Forget(int part)
@@ -187,17 +190,20 @@ void PiercedMesh::Replace(const Subdivision::Change& change, const std::function
 
 bool PiercedMesh::PutOnPart(int part, const Point& p)
 {
-  return this->Put(p, true, [&](int vertex) { return this->Parts.SplitPart(part, vertex); });
+  const int corner = this->Parts.GetParts()[part].Corners[0];
+  return this->Put(p, this->Vertices[corner]->cell(), true,
+    [&](int vertex) { return this->Parts.SplitPart(part, vertex); });
 }
 
 bool PiercedMesh::PutOnEdge(int a, int b, const Point& p)
 {
-  return this->Put(p, true, [&](int vertex) { return this->Parts.SplitEdge(a, b, vertex); });
+  return this->Put(p, this->Vertices[a]->cell(), true,
+    [&](int vertex) { return this->Parts.SplitEdge(a, b, vertex); });
 }
 
-bool PiercedMesh::PutAside(const Point& p)
+bool PiercedMesh::PutAside(const Point& p, const Cell& near)
 {
-  return this->Put(p, false, [](int) { return Subdivision::Change(); });
+  return this->Put(p, near, false, [](int) { return Subdivision::Change(); });
 }
 
 bool PiercedMesh::TakeFaces(int part)
@@ -215,12 +221,12 @@ bool PiercedMesh::TakeFaces(int part)
   return taken;
 }
 
-bool PiercedMesh::Put(
-  const Point& p, bool outsideToo, const std::function<Subdivision::Change(int)>& split)
+bool PiercedMesh::Put(const Point& p, const Cell& near, bool outsideToo,
+  const std::function<Subdivision::Change(int)>& split)
 {
   Delaunay::Locate_type type;
   int i = 0, j = 0;
-  const Cell start = this->Mesh.locate(ToInexact(p), type, i, j, this->Vertices.back()->cell());
+  const Cell start = this->Mesh.locate(ToInexact(p), type, i, j, near);
   if (type == Delaunay::VERTEX || (type == Delaunay::OUTSIDE_CONVEX_HULL && !outsideToo))
   {
     return false;
@@ -238,17 +244,19 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
   Delaunay::Facet facet;
   this->Mesh.find_conflicts(
     p, start, CGAL::Oneset_iterator<Delaunay::Facet>(facet), std::back_inserter(cells));
-  std::set<int> parts;
+  std::vector<int> parts;
   for (const Cell& cell : cells)
   {
     for (const Meeting& meeting : cell->info().All)
     {
-      parts.insert(meeting.Part);
+      parts.push_back(meeting.Part);
     }
   }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   const Vertex v =
     this->Mesh.insert_in_hole(p, cells.begin(), cells.end(), facet.first, facet.second);
-  v->info() = vertex;
+  v->info().Index = vertex;
   this->Vertices.push_back(v);
   std::vector<Cell> star;
   this->Mesh.finite_incident_cells(v, std::back_inserter(star));
@@ -257,11 +265,7 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
     const Corners3 corners = this->CornersOf(part);
     for (const Cell& cell : star)
     {
-      Meeting meeting = { part, false, {} };
-      if (Meet(corners, CornersOfCell(cell), meeting))
-      {
-        cell->info().Add(meeting);
-      }
+      this->Meet(part, corners, cell);
     }
   }
 }

@@ -20,7 +20,12 @@
 class PiercedMesh
 {
 public:
-  using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<int, Inexact>;
+  struct VertexInfo
+  {
+    int Index = -1;
+    unsigned LastWalk = 0; ///< that came by
+  };
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Inexact>;
   using CellBase = CGAL::Triangulation_cell_base_with_info_3<Meetings, Inexact,
     CGAL::Delaunay_triangulation_cell_base_3<Inexact>>;
   using Delaunay = CGAL::Delaunay_triangulation_3<Inexact,
@@ -33,12 +38,12 @@ public:
     const std::function<bool(double)>& progress);
 
   /**
-   * Put a point at p, on a part, on an edge of parts, or on none but within the hull; false: there is a
-   * vertex already, or it is outside.
+   * Put a point at p, on a part, on an edge of parts, or on none but within the hull, best near a cell;
+   * false: there is a vertex already, or it is outside.
    */
   bool PutOnPart(int part, const carving::Point& p);
   bool PutOnEdge(int a, int b, const carving::Point& p);
-  bool PutAside(const carving::Point& p);
+  bool PutAside(const carving::Point& p, const Cell& near);
 
   /** Lets a part that crosses tetrahedra by a rounding take their faces; returns whether it could. */
   bool TakeFaces(int part);
@@ -58,19 +63,24 @@ public:
   Corners3 CornersOf(int part) const;
 
 private:
-  bool Put(
-    const carving::Point& p, bool outsideToo, const std::function<Subdivision::Change(int)>& split);
+  bool Put(const carving::Point& p, const Cell& near, bool outsideToo,
+    const std::function<Subdivision::Change(int)>& split);
   void Insert(int vertex, const Cell& start);
+  bool Meet(int part, const Corners3& corners, const Cell& cell);
   void Place(int part);
   bool PlaceOnFace(int part);
   void Forget(int part);
   void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
   template <class Visit>
   void Walk(int part, const Visit& visit);
+  void PushStar(const Vertex& v, std::vector<Cell>& stack);
+  void Push(const Cell& cell, std::vector<Cell>& stack);
 
   Subdivision Parts;
   Delaunay Mesh;
   std::vector<Vertex> Vertices;
+  unsigned NumberOfWalks = 0;
+  std::vector<Cell> Star, Stack; ///< of the last walk, for their memory
 };
 
 /** The corners of face f of a cell, counter-clockwise as seen from outside. */

@@ -160,7 +160,7 @@ bool Refiner::Improve(const Cell& cell)
   const std::vector<Meeting> meetings = cell->info().All;
   for (const Meeting& meeting : meetings)
   {
-    if (!meeting.Pierces)
+    if (!meeting.How.Pierces)
     {
       continue;
     }
@@ -232,8 +232,8 @@ bool Refiner::PutAside(const Cell& cell)
 {
   const Point centroid = Between(Between(CornerOf(cell, 0), CornerOf(cell, 1), 0.5),
     Between(CornerOf(cell, 2), CornerOf(cell, 3), 0.5), 0.5);
-  return this->Mesh.PutAside(ToPoint(this->Mesh.GetDelaunay().dual(cell))) ||
-    this->Mesh.PutAside(centroid);
+  return this->Mesh.PutAside(ToPoint(this->Mesh.GetDelaunay().dual(cell)), cell) ||
+    this->Mesh.PutAside(centroid, cell);
 }
 
 } // namespace

@@ -67,22 +67,25 @@ struct SurfaceDistance::Tree
 {
   using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 
-  /** Looks for a triangle within a distance of a point; CGAL's own queries take spheres, not balls. */
-  struct AnyWithin
+  /** Looks for a triangle within a distance of a point: for any one, or for the nearest. */
+  struct Search
   {
     double SquaredDistance;
+    bool ForNearest;
     const Kernel::Triangle_3* Found = nullptr;
 
     bool go_further() const
     {
-      return this->Found == nullptr;
+      return this->ForNearest || this->Found == nullptr;
     }
     void intersection(const Kernel::Point_3& p, const Primitive& primitive)
     {
       const Kernel::Triangle_3& triangle = *primitive.id();
-      if (CGAL::squared_distance(p, triangle) <= this->SquaredDistance)
+      const double squared = CGAL::squared_distance(p, triangle);
+      if (squared <= this->SquaredDistance)
       {
         this->Found = &triangle;
+        this->SquaredDistance = this->ForNearest ? squared : this->SquaredDistance;
       }
     }
     bool do_intersect(const Kernel::Point_3& p, const CGAL::AABB_node<Traits>& node) const
@@ -109,19 +112,31 @@ struct SurfaceDistance::Tree
     {
       return false;
     }
-    if (this->Last && CGAL::squared_distance(p, *this->Last) <= distance * distance)
+    if (CGAL::squared_distance(p, *this->Last) <= distance * distance)
     {
       return true;
     }
-    AnyWithin traversal = { distance * distance };
-    this->Boxes.traversal(p, traversal);
-    this->Last = traversal.Found ? traversal.Found : this->Last;
-    return traversal.Found != nullptr;
+    Search search = { distance * distance, false };
+    this->Boxes.traversal(p, search);
+    this->Last = search.Found ? search.Found : this->Last;
+    return search.Found != nullptr;
   }
 
-  double Distance(const Point& p) const
+  double Distance(const Point& point)
   {
-    return std::sqrt(this->Boxes.squared_distance(ToKernel(p)));
+    const Kernel::Point_3 p = ToKernel(point);
+    Search search = { CGAL::squared_distance(p, *this->Last), true };
+    this->Boxes.traversal(p, search);
+    this->Last = search.Found ? search.Found : this->Last;
+    return std::sqrt(search.SquaredDistance);
+  }
+
+  /** Whether the triangle found last has all of `t` within a distance, which is convex around it. */
+  bool LastHasWithin(const Corners& t, double distance) const
+  {
+    return std::all_of(t.begin(), t.end(),
+      [&](const Point& p)
+      { return CGAL::squared_distance(ToKernel(p), *this->Last) <= distance * distance; });
   }
 };
 
@@ -133,13 +148,14 @@ SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
     this->Locator->All.emplace_back(
       ToKernel(surface.Points[a]), ToKernel(surface.Points[b]), ToKernel(surface.Points[c]));
   }
+  this->Locator->Last = &this->Locator->All.front();
   this->Locator->Boxes.rebuild(this->Locator->All.cbegin(), this->Locator->All.cend());
-  this->Locator->Boxes.accelerate_distance_queries();
 }
 
 SurfaceDistance::~SurfaceDistance() = default;
 
-// A distance changes by no more than one moves: what it is at the centroid bounds it everywhere.
+// A distance changes by no more than one moves: what it is at the centroid bounds it everywhere. And from
+// one triangle it is nowhere on another more than at the corners of that.
 
 bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
 {
@@ -150,15 +166,12 @@ bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
     stack.pop_back();
     const Point centroid = Centroid(t);
     const double radius = RadiusAround(centroid, t);
-    if (this->Locator->HasWithin(centroid, distance - radius))
-    {
-      continue;
-    }
     if (!this->Locator->HasWithin(centroid, distance))
     {
       return false;
     }
-    if (radius > Accuracy * distance)
+    if (radius > Accuracy * distance && !this->Locator->LastHasWithin(t, distance) &&
+      !this->Locator->HasWithin(centroid, distance - radius))
     {
       PushQuarters(t, stack);
     }
@@ -176,13 +189,15 @@ double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
     stack.pop_back();
     const Point centroid = Centroid(t);
     const double radius = RadiusAround(centroid, t);
-    if (this->Locator->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
+    if (this->Locator->LastHasWithin(t, (1.0 + Accuracy) * farthest) ||
+      this->Locator->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
     {
       continue; // found sooner than what is nearest
     }
     const double distance = this->Locator->Distance(centroid);
     farthest = std::max(farthest, distance);
-    if (distance + radius > (1.0 + Accuracy) * farthest)
+    const double limit = (1.0 + Accuracy) * farthest;
+    if (distance + radius > limit && !this->Locator->LastHasWithin(t, limit))
     {
       PushQuarters(t, stack);
     }

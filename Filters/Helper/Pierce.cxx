@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Pierce.h"
 
-#include "Vector.h"
-
 #include <CGAL/Filtered_predicate.h>
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 
 using namespace carving;
 
@@ -39,76 +37,13 @@ CGAL::Orientation SideOfPlane(const Inexact::Point_3& a, const Inexact::Point_3&
   return x == a || x == b || x == c ? CGAL::COPLANAR : CGAL::orientation(a, b, c, x);
 }
 
-/** From one point to another in doubles; its largest entry is 0 just if they are equal. */
-struct Difference
+/** Whether a face of the tetrahedron has all of the triangle in front of it or in its plane. */
+bool FaceSeparates(const Corners3& t, const Corners4& k)
 {
-  Point Along;
-  double Most;
-
-  Difference(const Inexact::Point_3& from, const Inexact::Point_3& to)
-    : Along{ to.x() - from.x(), to.y() - from.y(), to.z() - from.z() }
-    , Most(
-        std::max({ std::abs(this->Along[0]), std::abs(this->Along[1]), std::abs(this->Along[2]) }))
+  for (const auto& f : FaceCorners)
   {
-  }
-};
-
-/** Two differences, which may be asked for their determinant with others. */
-class Planar
-{
-public:
-  Planar(const Difference& u, const Difference& v)
-    : Normal(Cross(u.Along, v.Along))
-    , Limit(Bound * u.Most * v.Most)
-    , Usable(std::min(u.Most, v.Most) > Tiny && std::max(u.Most, v.Most) < Huge)
-  {
-  }
-
-  /**
-   * Whether rounding cannot turn the determinant's sign: its error is below Bound times the product of
-   * the differences' largest entries, by some three times.
-   */
-  bool FindSide(const Difference& w, CGAL::Orientation& side) const
-  {
-    const double determinant = Dot(this->Normal, w.Along);
-    side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-    return this->Usable && w.Most > Tiny && w.Most < Huge &&
-      std::abs(determinant) > this->Limit * w.Most;
-  }
-
-private:
-  static constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
-  Point Normal;
-  double Limit;
-  bool Usable;
-};
-
-/** Whether a triangle may meet a tetrahedron as far as their bounding boxes can tell. */
-bool AreClose(const Corners3& corners, const Corners4& k)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto [least, most] = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
-    const auto [lower, upper] = std::minmax({ k[0][i], k[1][i], k[2][i], k[3][i] });
-    const bool apart =
-      least == most ? least > upper || most < lower : least >= upper || most <= lower;
-    if (apart)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/** A face of the tetrahedron that has all of the triangle in front of it or in its plane; -1: none. */
-int SeparatingFace(const Corners3& t, const Corners4& k, bool& inPlane)
-{
-  for (int face = 0; face < 4; ++face)
-  {
-    const auto& f = FaceCorners[face];
-    const Planar plane({ k[f[0]], k[f[1]] }, { k[f[0]], k[f[2]] });
+    const SpannedPlane plane({ k[f[0]], k[f[1]] }, { k[f[0]], k[f[2]] });
     bool outside = true;
-    inPlane = true;
     for (int i = 0; i < 3 && outside; ++i)
     {
       CGAL::Orientation side;
@@ -118,26 +53,13 @@ int SeparatingFace(const Corners3& t, const Corners4& k, bool& inPlane)
       }
       // Corners that see a face counter-clockwise are in front of it.
       outside = side != CGAL::NEGATIVE;
-      inPlane = inPlane && side == CGAL::COPLANAR;
     }
     if (outside)
     {
-      return face;
+      return true;
     }
   }
-  return -1;
-}
-
-bool TriangleSeparates(const Corners3& t, const Corners4& k)
-{
-  bool above = true, below = true;
-  for (int i = 0; i < 4 && (above || below); ++i)
-  {
-    const CGAL::Orientation side = SideOfPlane(t[0], t[1], t[2], k[i]);
-    above = above && side != CGAL::NEGATIVE;
-    below = below && side != CGAL::POSITIVE;
-  }
-  return above || below;
+  return false;
 }
 
 /** For each corner of the triangle the same one of the tetrahedron; -1: none. */
@@ -170,7 +92,7 @@ bool EdgesSeparate(const Corners3& t, const Corners4& k)
       const int next = (i + 1) % 3, last = (i + 2) % 3;
       const auto& a = t[i];
       const auto& b = t[next];
-      const Planar planes(edge, ofTriangle[i]);
+      const SpannedPlane planes(edge, ofTriangle[i]);
       const auto sideOf = [&](const Inexact::Point_3& x, const Difference& toX)
       {
         CGAL::Orientation side;
@@ -266,25 +188,66 @@ bool Overlap(const Corners3& a, const Corners3& b)
 
 } // namespace
 
-Contact FindContact(const Corners3& triangle, const Corners4& k)
+Piercer::Piercer(const Corners3& corners)
+  : Corners(corners)
+  , Plane({ corners[0], corners[1] }, { corners[0], corners[2] })
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    std::tie(this->Least[i], this->Most[i]) =
+      std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
+  }
+}
+
+CGAL::Orientation Piercer::SideOf(const Inexact::Point_3& x) const
+{
+  CGAL::Orientation side;
+  return this->Plane.FindSide({ this->Corners[0], x }, side)
+    ? side
+    : SideOfPlane(this->Corners[0], this->Corners[1], this->Corners[2], x);
+}
+
+bool Piercer::IsClose(const Corners4& k) const
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto [lower, upper] = std::minmax({ k[0][i], k[1][i], k[2][i], k[3][i] });
+    const bool apart = this->Least[i] == this->Most[i]
+      ? this->Least[i] > upper || this->Most[i] < lower
+      : this->Least[i] >= upper || this->Most[i] <= lower;
+    if (apart)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Contact Piercer::FindContact(const Corners4& k) const
 {
   Contact contact;
-  if (!AreClose(triangle, k))
+  if (!this->IsClose(k))
   {
     return contact;
   }
-  bool inPlane = false;
-  const int face = SeparatingFace(triangle, k, inPlane);
-  if (face < 0)
+  int above = 0, below = 0, last = 0; // the last one that is not in the plane
+  for (int i = 0; i < 4; ++i)
   {
-    contact.Pierces = !TriangleSeparates(triangle, k) && !EdgesSeparate(triangle, k);
+    const CGAL::Orientation side = this->SideOf(k[i]);
+    above += side == CGAL::POSITIVE;
+    below += side == CGAL::NEGATIVE;
+    last = side == CGAL::COPLANAR ? last : i;
   }
-  else if (inPlane)
+  if (above > 0 && below > 0)
   {
-    const auto& [a, b, c] = FaceCorners[face];
-    contact.Face = Overlap(triangle, { k[a], k[b], k[c] }) ? face : -1;
+    contact.Pierces = !FaceSeparates(this->Corners, k) && !EdgesSeparate(this->Corners, k);
   }
-  return contact; // what is in front of one face overlaps no other
+  else if (above + below == 1)
+  {
+    const auto& [a, b, c] = FaceCorners[last];
+    contact.Face = Overlap(this->Corners, { k[a], k[b], k[c] }) ? last : -1;
+  }
+  return contact;
 }
 
 bool OverlapInPlane(const Corners3& a, const Corners3& b)

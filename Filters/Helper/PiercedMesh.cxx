@@ -110,10 +110,9 @@ void PiercedMesh::PushStar(const Vertex& v, std::vector<Cell>& stack)
  * `visit` says that it does.
  */
 template <class Visit>
-void PiercedMesh::Walk(int part, const Visit& visit)
+void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
 {
   const Triangle& corners = this->Parts.GetParts()[part].Corners;
-  const Corners3 triangle = this->CornersOf(part);
   ++this->NumberOfWalks;
   for (const int corner : corners)
   {
@@ -138,7 +137,7 @@ void PiercedMesh::Walk(int part, const Visit& visit)
       if (v->info().LastWalk != this->NumberOfWalks)
       {
         v->info().LastWalk = this->NumberOfWalks;
-        if (CGAL::orientation(triangle[0], triangle[1], triangle[2], v->point()) == CGAL::COPLANAR)
+        if (piercer.SideOf(v->point()) == CGAL::COPLANAR)
         {
           this->PushStar(v, stack);
         }
@@ -148,9 +147,9 @@ void PiercedMesh::Walk(int part, const Visit& visit)
 }
 
 /** Notes how a part lies to a cell; returns whether they meet. */
-bool PiercedMesh::Meet(int part, const Corners3& corners, const Cell& cell)
+bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 {
-  const Contact contact = FindContact(corners, CornersOfCell(cell));
+  const Contact contact = piercer.FindContact(CornersOfCell(cell));
   if (contact.Exists())
   {
     cell->info().Add({ part, contact });
@@ -165,13 +164,15 @@ void PiercedMesh::Place(int part)
   // Rounding can leave a part without area; its neighbors have all that it would have.
   if (!this->PlaceOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
   {
-    this->Walk(part, [&](const Cell& cell) { return this->Meet(part, corners, cell); });
+    const Piercer piercer(corners);
+    this->Walk(part, piercer, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
   }
 }
 
 void PiercedMesh::Forget(int part)
 {
-  this->Walk(part, [&](const Cell& cell) { return cell->info().Remove(part); });
+  this->Walk(part, Piercer(this->CornersOf(part)),
+    [&](const Cell& cell) { return cell->info().Remove(part); });
 }
 
 /** Between the parts that go and those that come `meanwhile` happens. */
@@ -262,10 +263,10 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
   this->Mesh.finite_incident_cells(v, std::back_inserter(star));
   for (const int part : parts)
   {
-    const Corners3 corners = this->CornersOf(part);
+    const Piercer piercer(this->CornersOf(part));
     for (const Cell& cell : star)
     {
-      this->Meet(part, corners, cell);
+      this->Meet(part, piercer, cell);
     }
   }
 }

@@ -66,13 +66,13 @@ private:
   bool Put(const carving::Point& p, const Cell& near, bool outsideToo,
     const std::function<Subdivision::Change(int)>& split);
   void Insert(int vertex, const Cell& start);
-  bool Meet(int part, const Corners3& corners, const Cell& cell);
+  bool Meet(int part, const Piercer& piercer, const Cell& cell);
   void Place(int part);
   bool PlaceOnFace(int part);
   void Forget(int part);
   void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
   template <class Visit>
-  void Walk(int part, const Visit& visit);
+  void Walk(int part, const Piercer& piercer, const Visit& visit);
   void PushStar(const Vertex& v, std::vector<Cell>& stack);
   void Push(const Cell& cell, std::vector<Cell>& stack);
 

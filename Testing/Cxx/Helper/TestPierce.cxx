@@ -76,7 +76,7 @@ bool PiercesByClipping(const Corners3& triangle, const Corners4& k)
 
 bool Pierces(const Corners3& triangle, const Corners4& tetrahedron)
 {
-  return FindContact(triangle, tetrahedron).Pierces;
+  return Piercer(triangle).FindContact(tetrahedron).Pierces;
 }
 
 const Corners4 Corner = { Inexact::Point_3(0, 0, 0), Inexact::Point_3(4, 0, 0),
@@ -85,7 +85,7 @@ const Corners4 Corner = { Inexact::Point_3(0, 0, 0), Inexact::Point_3(4, 0, 0),
 } // namespace
 
 // A triangle that cuts through pierces, from wherever it comes.
-TEST(FindContact, WhatCutsThrough)
+TEST(Piercer, PiercesWhatItCutsThrough)
 {
   EXPECT_TRUE(Pierces({ Inexact::Point_3(1, 1, -5), { 1, 1, 5 }, { -5, 1, 0 } }, Corner));
   EXPECT_TRUE(
@@ -93,7 +93,7 @@ TEST(FindContact, WhatCutsThrough)
 }
 
 // A face, a part of one and a larger triangle in its plane do not.
-TEST(FindContact, NotByLyingOnAFace)
+TEST(Piercer, PiercesNotByLyingOnAFace)
 {
   EXPECT_FALSE(Pierces({ Corner[0], Corner[1], Corner[2] }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(1, 1, 0), { 2, 1, 0 }, { 1, 2, 0 } }, Corner));
@@ -101,7 +101,7 @@ TEST(FindContact, NotByLyingOnAFace)
 }
 
 // Touching in a corner or an edge from outside does not.
-TEST(FindContact, NotByTouching)
+TEST(Piercer, PiercesNotByTouching)
 {
   EXPECT_FALSE(Pierces({ Inexact::Point_3(0, 0, 0), { -1, 0, 0 }, { 0, -1, 0 } }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(0, 0, -1), { 0, 0, 5 }, { -1, -1, 2 } }, Corner));
@@ -110,7 +110,7 @@ TEST(FindContact, NotByTouching)
 
 // On small integers, where touching and lying in one plane are common, it agrees with clipping in
 // rational numbers.
-TEST(FindContact, AgreesWithClippingOnRandomIntegers)
+TEST(Piercer, AgreesWithClippingOnRandomIntegers)
 {
   std::mt19937 random(11);
   std::uniform_int_distribution<int> coordinate(0, 4);

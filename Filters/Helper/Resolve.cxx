@@ -2,26 +2,20 @@
 #include "Resolve.h"
 
 #include "Clean.h"
+#include "CoplanarGroup.h"
+#include "DisjointSets.h"
 #include "Intersections.h"
 #include "Kernels.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Projection_traits_3.h>
-
-#include <map>
-#include <unordered_map>
+#include <algorithm>
 
 using namespace carving;
 
 namespace
 {
 
-using Traits = CGAL::Projection_traits_3<Exact>;
-using Triangulation =
-  CGAL::Constrained_Delaunay_triangulation_2<Traits, CGAL::Default, CGAL::Exact_intersections_tag>;
-
-/** What a triangle has in common with others; isolated points are segments of length zero. */
 using Cuts = std::vector<Exact::Segment_3>;
+using Pairs = std::vector<std::pair<int, int>>;
 
 Exact::Triangle_3 ExactTriangle(const ResolvedMesh& mesh, int triangle)
 {
@@ -43,69 +37,104 @@ struct CutCollector
   {
     this->Out.push_back(segment);
   }
-  void operator()(const Exact::Triangle_3& t) const
+  template <class Other>
+  void operator()(const Other&) const
   {
-    (*this)(std::vector<Exact::Point_3>{ t[0], t[1], t[2] });
-  }
-  void operator()(const std::vector<Exact::Point_3>& polygon) const
-  {
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-    {
-      this->Out.emplace_back(polygon[i], polygon[(i + 1) % polygon.size()]);
-    }
+    // An area: only triangles in one plane have that in common.
   }
 };
 
-/** The double next to each coordinate: equal points give equal results, however they were made. */
-Point Round(const Exact::Point_3& p)
+bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
 {
-  return { CGAL::to_double(CGAL::exact(p.x())), CGAL::to_double(CGAL::exact(p.y())),
-    CGAL::to_double(CGAL::exact(p.z())) };
+  const auto& [p, q, r] = mesh.Facets[a];
+  const Triangle& others = mesh.Facets[b];
+  return std::all_of(others.begin(), others.end(),
+    [&, p = p, q = q, r = r](int x)
+    {
+      return CGAL::coplanar(ToInexact(mesh.Points[p]), ToInexact(mesh.Points[q]),
+        ToInexact(mesh.Points[r]), ToInexact(mesh.Points[x]));
+    });
 }
 
-/** Appends the triangle, cut into the faces of its constrained triangulation, to `result`. */
-void AppendPieces(const ResolvedMesh& mesh, int triangle, const Cuts& cuts, ResolvedMesh& result)
+/** Triangles that meet others, in groups, and for every triangle its group; -1: none. */
+struct Grouping
 {
-  const Exact::Triangle_3 whole = ExactTriangle(mesh, triangle);
-  Triangulation triangulation{ Traits(whole.supporting_plane().orthogonal_vector()) };
-  std::unordered_map<Triangulation::Vertex_handle, int> indices;
-  Triangulation::Vertex_handle corners[3];
-  for (int i = 0; i < 3; ++i)
+  std::vector<CoplanarGroup> Groups;
+  std::vector<int> GroupOf;
+};
+
+/** Pairs in one plane get into one group; they are taken out of `pairs`. */
+Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
+{
+  const int count = static_cast<int>(mesh.Facets.size());
+  std::vector<char> meets(count, 0);
+  DisjointSets sets(count);
+  const auto unite = [&](const std::pair<int, int>& pair)
   {
-    corners[i] = triangulation.insert(whole[i]);
-    indices[corners[i]] = mesh.Facets[triangle][i];
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    triangulation.insert_constraint(corners[i], corners[(i + 1) % 3]);
-  }
-  for (const Exact::Segment_3& cut : cuts)
-  {
-    if (cut.is_degenerate())
+    const auto& [a, b] = pair;
+    meets[a] = meets[b] = 1;
+    const bool coplanar = AreCoplanar(mesh, a, b);
+    if (coplanar)
     {
-      triangulation.insert(cut.source());
+      sets.Unite(a, b);
     }
-    else
-    {
-      triangulation.insert_constraint(cut.source(), cut.target());
-    }
-  }
-  for (const auto face : triangulation.finite_face_handles())
+    return coplanar;
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unite), pairs.end());
+  Grouping result;
+  result.GroupOf.assign(count, -1);
+  for (int i = 0; i < count; ++i)
   {
-    Triangle piece;
-    for (int i = 0; i < 3; ++i)
+    if (meets[i])
     {
-      const auto [found, isNew] =
-        indices.try_emplace(face->vertex(i), static_cast<int>(result.Points.size()));
-      if (isNew)
+      const int first = sets.Find(i);
+      if (first == i)
       {
-        result.Points.push_back(Round(face->vertex(i)->point()));
-        result.PointSources.push_back(-1);
+        result.GroupOf[i] = static_cast<int>(result.Groups.size());
+        result.Groups.emplace_back();
       }
-      piece[i] = found->second;
+      result.GroupOf[i] = result.GroupOf[first];
+      result.Groups[result.GroupOf[i]].Triangles.push_back(i);
     }
-    AppendFacet<3>(mesh, triangle, piece, result);
   }
+  return result;
+}
+
+/** One round: the triangles in pieces. */
+ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progress)
+{
+  Grouping grouping = FindGroups(mesh, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    GoOn(progress, 0.5 * i / pairs.size());
+    const auto& [a, b] = pairs[i];
+    if (const auto met = CGAL::intersection(ExactTriangle(mesh, a), ExactTriangle(mesh, b)))
+    {
+      for (const int triangle : { a, b })
+      {
+        boost::apply_visitor(
+          CutCollector{ grouping.Groups[grouping.GroupOf[triangle]].Cuts }, *met);
+      }
+    }
+  }
+  ResolvedMesh result;
+  result.Points = mesh.Points;
+  result.PointSources = mesh.PointSources;
+  const int count = static_cast<int>(mesh.Facets.size());
+  for (int i = 0; i < count; ++i)
+  {
+    GoOn(progress, 0.5 + 0.5 * i / count);
+    const int group = grouping.GroupOf[i];
+    if (group < 0)
+    {
+      AppendFacet<3>(mesh, i, mesh.Facets[i], result);
+    }
+    else if (grouping.Groups[group].Triangles.front() == i)
+    {
+      AppendPieces(mesh, grouping.Groups[group], result);
+    }
+  }
+  return result;
 }
 
 } // namespace
@@ -115,7 +144,7 @@ std::string Resolve(
 {
   // Nearly every mesh is clean after one round; the limit ends those that rounding keeps dirty.
   constexpr int maximumRounds = 10;
-  std::vector<std::pair<int, int>> pairs = FindIntersections(mesh.Points, mesh.Facets);
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
   intersectingPairs = static_cast<int>(pairs.size());
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
@@ -131,38 +160,7 @@ std::string Resolve(
         " pairs of triangles still cross each other: the mesh is too intricate for double "
         "precision.";
     }
-    std::map<int, Cuts> cuts;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-    {
-      GoOn(progress, static_cast<double>(i) / pairs.size());
-      const auto& [a, b] = pairs[i];
-      Cuts common;
-      if (const auto met = CGAL::intersection(ExactTriangle(mesh, a), ExactTriangle(mesh, b)))
-      {
-        boost::apply_visitor(CutCollector{ common }, *met);
-      }
-      for (const int triangle : { a, b })
-      {
-        Cuts& all = cuts[triangle];
-        all.insert(all.end(), common.begin(), common.end());
-      }
-    }
-    ResolvedMesh next;
-    next.Points = mesh.Points;
-    next.PointSources = mesh.PointSources;
-    for (int i = 0; i < static_cast<int>(mesh.Facets.size()); ++i)
-    {
-      const auto found = cuts.find(i);
-      if (found == cuts.end())
-      {
-        AppendFacet<3>(mesh, i, mesh.Facets[i], next);
-      }
-      else
-      {
-        AppendPieces(mesh, i, found->second, next);
-      }
-    }
-    mesh = Clean(next);
+    mesh = Clean(Split(mesh, pairs, progress));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
   }
   return {};

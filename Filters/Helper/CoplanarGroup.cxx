@@ -54,13 +54,7 @@ public:
     this->SlopeV.exact();
   }
 
-  Point Flat(int point) const
-  {
-    const Point& p = this->Mesh.Points[point];
-    return { p[this->U()], p[this->V()], 0.0 };
-  }
-
-  PlaneKernel::Point_2 Flat(const Exact::Point_3& p) const
+  PlaneKernel::Point_2 Flat(const ExactPoint& p) const
   {
     return { p[this->U()], p[this->V()] };
   }
@@ -84,8 +78,8 @@ public:
     const auto& [a, b, c] = this->Mesh.Facets[triangle];
     const auto flat = [this](int point)
     {
-      const Point p = this->Flat(point);
-      return Inexact::Point_2(p[0], p[1]);
+      const Point& p = this->Mesh.Points[point];
+      return Inexact::Point_2(p[this->U()], p[this->V()]);
     };
     return CGAL::orientation(flat(a), flat(b), flat(c));
   }
@@ -107,7 +101,7 @@ private:
 };
 
 /** Inserts points, neighbors one after the other so that each is found from the one before it. */
-std::vector<Vertex> InsertExactPoints(
+std::vector<Vertex> InsertInOrder(
   const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation)
 {
   std::vector<Inexact::Point_2> rounded;
@@ -150,8 +144,9 @@ Edge Undirected(int a, int b)
 class Arrangement
 {
 public:
-  Arrangement(const ResolvedMesh& mesh, const CoplanarGroup& group)
+  Arrangement(const ResolvedMesh& mesh, const CutPoints& cutPoints, const CoplanarGroup& group)
     : Mesh(mesh)
+    , Cuts(cutPoints)
     , Group(group)
     , Plane(mesh, group.Triangles.front())
   {
@@ -159,16 +154,16 @@ public:
 
   void Build(ResolvedMesh& result)
   {
-    this->InsertSides();
-    this->InsertCuts();
+    this->InsertPoints();
+    this->InsertSegments();
     this->AppendPoints(result);
     this->FindBorders();
     this->AppendCovered(result);
   }
 
 private:
-  void InsertSides();
-  void InsertCuts();
+  void InsertPoints();
+  void InsertSegments();
   void AppendPoints(ResolvedMesh& result);
   void FindBorders();
   void AppendCovered(ResolvedMesh& result) const;
@@ -176,113 +171,101 @@ private:
   std::vector<int> CoverBeyond(const Face& face, int i, const std::vector<int>& cover) const;
 
   const ResolvedMesh& Mesh;
+  const CutPoints& Cuts;
   const CoplanarGroup& Group;
   Projection Plane;
   PlaneTriangulation Triangulation;
-  std::vector<int> Corners; ///< points of the mesh, ascending; the first vertices
-  std::vector<std::pair<Edge, PlaneTriangulation::Constraint_id>> Sides; ///< by corners
+  std::unordered_map<int, Vertex> Vertices; ///< by the numbers of points
+  std::vector<std::pair<int, PlaneTriangulation::Constraint_id>> Sides; ///< with their triangles
   /** By vertices: the triangles of whose borders an edge is. */
   std::unordered_map<Edge, std::vector<int>, EdgeHash> Borders;
 };
 
-void Arrangement::InsertSides()
+void Arrangement::InsertPoints()
 {
-  std::vector<Edge> edges;
+  std::vector<int> points;
+  for (const int triangle : this->Group.Triangles)
+  {
+    const Triangle& t = this->Mesh.Facets[triangle];
+    points.insert(points.end(), t.begin(), t.end());
+  }
+  for (const auto& cut : this->Group.Cuts)
+  {
+    points.insert(points.end(), cut.begin(), cut.end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<PlaneKernel::Point_2> places;
+  for (const int point : points)
+  {
+    places.push_back(this->Plane.Flat(this->Cuts.Get(point)));
+  }
+  const std::vector<Vertex> vertices = InsertInOrder(places, this->Triangulation);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    // Of points at one place the first counts.
+    PointIndex& index = vertices[i]->info();
+    index.Value = index.Value < 0 ? points[i] : index.Value;
+    this->Vertices[points[i]] = vertices[i];
+  }
+}
+
+void Arrangement::InsertSegments()
+{
+  std::vector<std::pair<Edge, int>> sides;
   for (const int triangle : this->Group.Triangles)
   {
     const Triangle& t = this->Mesh.Facets[triangle];
     for (int i = 0; i < 3; ++i)
     {
-      this->Corners.push_back(t[i]);
-      edges.push_back(Undirected(t[i], t[(i + 1) % 3]));
+      sides.emplace_back(Undirected(t[i], t[(i + 1) % 3]), triangle);
     }
   }
-  const auto sort = [](auto& all)
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-  };
-  sort(this->Corners);
-  sort(edges);
-  std::vector<Point> places;
-  for (const int corner : this->Corners)
-  {
-    places.push_back(this->Plane.Flat(corner));
+    const auto& [edge, triangle] = sides[i];
+    const bool known = i > 0 && sides[i - 1].first == edge;
+    this->Sides.emplace_back(triangle,
+      known ? this->Sides.back().second
+            : this->Triangulation.insert_constraint(
+                this->Vertices[edge.first], this->Vertices[edge.second]));
   }
-  const std::vector<Vertex> vertices = InsertPoints(places, this->Triangulation);
-  const auto vertexOf = [&](int corner)
-  {
-    return vertices[std::lower_bound(this->Corners.begin(), this->Corners.end(), corner) -
-      this->Corners.begin()];
-  };
-  for (const Edge& edge : edges)
-  {
-    this->Sides.emplace_back(
-      edge, this->Triangulation.insert_constraint(vertexOf(edge.first), vertexOf(edge.second)));
-  }
-}
-
-void Arrangement::InsertCuts()
-{
-  std::vector<PlaneKernel::Point_2> places;
-  for (const Exact::Segment_3& cut : this->Group.Cuts)
-  {
-    places.push_back(this->Plane.Flat(cut.source()));
-    places.push_back(this->Plane.Flat(cut.target()));
-  }
-  const std::vector<Vertex> vertices = InsertExactPoints(places, this->Triangulation);
-  std::unordered_map<Vertex, int> numbers;
   std::unordered_set<Edge, EdgeHash> known;
-  for (std::size_t i = 0; i < vertices.size(); i += 2)
+  for (const auto& [from, to] : this->Group.Cuts)
   {
-    const auto numberOf = [&](const Vertex& vertex)
-    { return numbers.try_emplace(vertex, static_cast<int>(numbers.size())).first->second; };
-    const Edge edge = Undirected(numberOf(vertices[i]), numberOf(vertices[i + 1]));
-    if (edge.first != edge.second && known.insert(edge).second)
+    const Vertex a = this->Vertices[from], b = this->Vertices[to];
+    if (a != b && known.insert(Undirected(a->info().Value, b->info().Value)).second)
     {
-      this->Triangulation.insert_constraint(vertices[i], vertices[i + 1]);
+      this->Triangulation.insert_constraint(a, b);
     }
   }
 }
 
-/** And lets vertices have the numbers that their points have in the result. */
+/** Where sides and cuts cross. */
 void Arrangement::AppendPoints(ResolvedMesh& result)
 {
   for (const Vertex vertex : this->Triangulation.finite_vertex_handles())
   {
     int& value = vertex->info().Value;
-    if (value >= 0)
+    if (value < 0)
     {
-      value = this->Corners[value];
-      continue;
+      value = static_cast<int>(result.Points.size());
+      result.Points.push_back(this->Plane.Lift(vertex->point()));
+      result.PointSources.push_back(-1);
     }
-    value = static_cast<int>(result.Points.size());
-    result.Points.push_back(this->Plane.Lift(vertex->point()));
-    result.PointSources.push_back(-1);
   }
 }
 
 void Arrangement::FindBorders()
 {
-  std::unordered_map<Edge, std::vector<int>, EdgeHash> triangles;
-  for (const int triangle : this->Group.Triangles)
+  for (const auto& [triangle, constraint] : this->Sides)
   {
-    const Triangle& t = this->Mesh.Facets[triangle];
-    for (int i = 0; i < 3; ++i)
-    {
-      triangles[Undirected(t[i], t[(i + 1) % 3])].push_back(triangle);
-    }
-  }
-  for (const auto& [edge, constraint] : this->Sides)
-  {
-    const std::vector<int>& of = triangles[edge];
     const auto end = this->Triangulation.vertices_in_constraint_end(constraint);
     auto vertex = this->Triangulation.vertices_in_constraint_begin(constraint);
     for (auto next = std::next(vertex); next != end; vertex = next++)
     {
-      std::vector<int>& all =
-        this->Borders[Undirected((*vertex)->info().Value, (*next)->info().Value)];
-      all.insert(all.end(), of.begin(), of.end());
+      this->Borders[Undirected((*vertex)->info().Value, (*next)->info().Value)].push_back(triangle);
     }
   }
 }
@@ -362,7 +345,8 @@ void Arrangement::AppendCovered(ResolvedMesh& result) const
 
 } // namespace
 
-void AppendPieces(const ResolvedMesh& mesh, const CoplanarGroup& group, ResolvedMesh& result)
+void AppendPieces(const ResolvedMesh& mesh, const CutPoints& cutPoints, const CoplanarGroup& group,
+  ResolvedMesh& result)
 {
-  Arrangement(mesh, group).Build(result);
+  Arrangement(mesh, cutPoints, group).Build(result);
 }

@@ -14,35 +14,7 @@ using namespace carving;
 namespace
 {
 
-using Cuts = std::vector<Exact::Segment_3>;
 using Pairs = std::vector<std::pair<int, int>>;
-
-Exact::Triangle_3 ExactTriangle(const ResolvedMesh& mesh, int triangle)
-{
-  const Triangle& t = mesh.Facets[triangle];
-  return { ToExact(mesh.Points[t[0]]), ToExact(mesh.Points[t[1]]), ToExact(mesh.Points[t[2]]) };
-}
-
-/** Visits the intersection of two triangles as segments. */
-struct CutCollector
-{
-  using result_type = void;
-  Cuts& Out;
-
-  void operator()(const Exact::Point_3& point) const
-  {
-    this->Out.emplace_back(point, point);
-  }
-  void operator()(const Exact::Segment_3& segment) const
-  {
-    this->Out.push_back(segment);
-  }
-  template <class Other>
-  void operator()(const Other&) const
-  {
-    // An area: only triangles in one plane have that in common.
-  }
-};
 
 bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
 {
@@ -104,22 +76,21 @@ Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
 ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progress)
 {
   Grouping grouping = FindGroups(mesh, pairs);
+  CutPoints cutPoints(mesh);
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     GoOn(progress, 0.5 * i / pairs.size());
     const auto& [a, b] = pairs[i];
-    if (const auto met = CGAL::intersection(ExactTriangle(mesh, a), ExactTriangle(mesh, b)))
+    const std::array<int, 2> common = cutPoints.Intersect(a, b);
+    for (const int triangle : { a, b })
     {
-      for (const int triangle : { a, b })
-      {
-        boost::apply_visitor(
-          CutCollector{ grouping.Groups[grouping.GroupOf[triangle]].Cuts }, *met);
-      }
+      grouping.Groups[grouping.GroupOf[triangle]].Cuts.push_back(common);
     }
   }
   ResolvedMesh result;
   result.Points = mesh.Points;
   result.PointSources = mesh.PointSources;
+  cutPoints.AppendRounded(result);
   const int count = static_cast<int>(mesh.Facets.size());
   for (int i = 0; i < count; ++i)
   {
@@ -131,7 +102,7 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
     }
     else if (grouping.Groups[group].Triangles.front() == i)
     {
-      AppendPieces(mesh, grouping.Groups[group], result);
+      AppendPieces(mesh, cutPoints, grouping.Groups[group], result);
     }
   }
   return result;

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace carving;
 
 namespace
@@ -31,6 +33,38 @@ double Area(const std::vector<Point>& points, const std::vector<Triangle>& trian
     sum += 0.5 * Length(Cross(points[b] - points[a], points[c] - points[a]));
   }
   return sum;
+}
+
+/** Triangles with small integer coordinates in the plane z = x + 2 y, many of which overlap. */
+TriangleMesh RandomPatchwork(int count, std::mt19937_64& random)
+{
+  TriangleMesh mesh;
+  while (static_cast<int>(mesh.Triangles.size()) < count)
+  {
+    Triangle t;
+    for (int& corner : t)
+    {
+      const double x = static_cast<double>(random() % 9), y = static_cast<double>(random() % 9);
+      corner = static_cast<int>(mesh.Points.size());
+      mesh.Points.push_back({ x, y, x + 2.0 * y });
+    }
+    mesh.Triangles.push_back(t);
+  }
+  return mesh;
+}
+
+/** How a triangle lies around a point of its plane, seen along z: 1 counter-clockwise, -1 clockwise. */
+int SignedCover(const TriangleMesh& mesh, const Triangle& t, const Point& p)
+{
+  int positive = 0, negative = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point &a = mesh.Points[t[i]], &b = mesh.Points[t[(i + 1) % 3]];
+    const double side = Cross(b - a, p - a)[2];
+    positive += side > 0.0;
+    negative += side < 0.0;
+  }
+  return positive == 3 ? 1 : negative == 3 ? -1 : 0;
 }
 
 std::vector<std::pair<int, int>> Intersections(const TriangleMesh& mesh)
@@ -165,4 +199,64 @@ TEST(Resolve, CopesWithManyTrianglesThroughOneLine)
     fan.Triangles.push_back({ at, at + 1, at + 2 });
   }
   Resolved(fan);
+}
+
+// However many triangles of a plane overlap, what is left of them knows how many there were and on which
+// side each was, and nothing of them is lost.
+TEST(Resolve, CountsTrianglesThatCoverEachOther)
+{
+  std::mt19937_64 random(13);
+  for (int i = 0; i < 20; ++i)
+  {
+    SCOPED_TRACE("patchwork " + std::to_string(i));
+    const TriangleMesh given = RandomPatchwork(2 + static_cast<int>(random() % 30), random);
+    const ResolvedMesh mesh = Resolved(given);
+    double covered = 0.0;
+    for (std::size_t k = 0; k < mesh.Facets.size(); ++k)
+    {
+      const auto& [a, b, c] = mesh.Facets[k];
+      Point middle = {};
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        middle[axis] = (mesh.Points[a][axis] + mesh.Points[b][axis] + mesh.Points[c][axis]) / 3.0;
+      }
+      int count = 0, sum = 0;
+      for (const Triangle& t : given.Triangles)
+      {
+        const int sign = SignedCover(given, t, middle);
+        count += sign != 0;
+        sum += sign;
+      }
+      const int side = SignedCover({ mesh.Points, {} }, mesh.Facets[k], middle);
+      EXPECT_EQ(mesh.Counts[k], count);
+      EXPECT_EQ(side * mesh.Windings[k], sum);
+      EXPECT_EQ(SignedCover(given, given.Triangles[mesh.FacetSources[k]], middle), side);
+      covered += mesh.Counts[k] * Area(mesh.Points, { mesh.Facets[k] });
+    }
+    const double expected = Area(given.Points, given.Triangles);
+    EXPECT_NEAR(covered, expected, 1e-9 * expected);
+  }
+}
+
+// What crosses a stack of triangles is cut where they begin and end, and they along it.
+TEST(Resolve, CutsWhatCrossesAPatchwork)
+{
+  std::mt19937_64 random(14);
+  for (int i = 0; i < 10; ++i)
+  {
+    SCOPED_TRACE("patchwork " + std::to_string(i));
+    const TriangleMesh patchwork = RandomPatchwork(12, random);
+    const TriangleMesh across = { { { 0, -1, -9 }, { 9, 8, 5 }, { 4, 5, 40 }, { 8, 0, 0 },
+                                    { 0, 8, 30 }, { 1, 1, 0 } },
+      { { 0, 1, 2 }, { 3, 4, 5 } } };
+    const ResolvedMesh mesh = Resolved(models::Joined(patchwork, across));
+    double covered = 0.0;
+    for (std::size_t k = 0; k < mesh.Facets.size(); ++k)
+    {
+      covered += mesh.Counts[k] * Area(mesh.Points, { mesh.Facets[k] });
+    }
+    const double expected =
+      Area(patchwork.Points, patchwork.Triangles) + Area(across.Points, across.Triangles);
+    EXPECT_NEAR(covered, expected, 1e-9 * expected);
+  }
 }

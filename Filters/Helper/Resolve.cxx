@@ -113,8 +113,8 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
 std::string Resolve(
   ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
-  // Nearly every mesh is clean after one round; the limit ends those that rounding keeps dirty.
-  constexpr int maximumRounds = 10;
+  // Nearly every mesh is clean after one round; the limits end those that rounding keeps dirty.
+  constexpr int maximumRounds = 10, maximumRisesInARow = 2;
   Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
   intersectingPairs = static_cast<int>(pairs.size());
   if (static_cast<double>(pairs.size()) > maximumPairs)
@@ -122,17 +122,20 @@ std::string Resolve(
     return std::to_string(pairs.size()) +
       " pairs of triangles cross each other: resolving them would multiply the mesh.";
   }
+  int rises = 0;
   for (int round = 0; !pairs.empty(); ++round)
   {
-    if (round == maximumRounds)
+    if (round == maximumRounds || rises == maximumRisesInARow)
     {
-      return "After " + std::to_string(maximumRounds) + " rounds of splitting, " +
+      return "After " + std::to_string(round) + " rounds of splitting, " +
         std::to_string(pairs.size()) +
         " pairs of triangles still cross each other: the mesh is too intricate for double "
         "precision.";
     }
-    mesh = Clean(Split(mesh, pairs, progress));
+    const std::size_t before = pairs.size();
+    mesh = Clean(Split(mesh, std::move(pairs), progress));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
+    rises = pairs.size() > before ? rises + 1 : 0;
   }
   return {};
 }

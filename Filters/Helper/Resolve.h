@@ -11,7 +11,8 @@
 /**
  * Splits triangles along their mutual intersections until no two meet other than in a shared vertex
  * or edge. The points of intersection are exact, then rounded to double; since rounding can make
- * new intersections, it looks again until none is left, or ever more are.
+ * new intersections, it looks again until none is left. It gives up where
+ * rounding leaves ever more.
  *
  * `mesh` has been cleaned and stays so. `intersectingPairs` is the number of pairs in the given
  * mesh; with more than `maximumPairs` nothing is split. Returns an empty string or why no clean mesh was

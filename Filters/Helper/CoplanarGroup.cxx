@@ -4,14 +4,9 @@
 #include "ResolveContours.h"
 #include "Vector.h"
 
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -99,31 +94,6 @@ private:
   Exact::Point_3 Origin;
   Exact::FT SlopeU, SlopeV;
 };
-
-/** Inserts points, neighbors one after the other so that each is found from the one before it. */
-std::vector<Vertex> InsertInOrder(
-  const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation)
-{
-  std::vector<Inexact::Point_2> rounded;
-  rounded.reserve(places.size());
-  for (const auto& place : places)
-  {
-    rounded.emplace_back(CGAL::to_double(place.x()), CGAL::to_double(place.y()));
-  }
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  using Map = CGAL::Pointer_property_map<Inexact::Point_2>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_2<Inexact, Map>(CGAL::make_property_map(rounded)));
-  std::vector<Vertex> vertices(places.size());
-  Face hint;
-  for (const std::size_t i : order)
-  {
-    vertices[i] = triangulation.insert(places[i], hint);
-    hint = vertices[i]->face();
-  }
-  return vertices;
-}
 
 using Edge = std::pair<int, int>;
 

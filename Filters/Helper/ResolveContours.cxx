@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "ResolveContours.h"
 
+#include "Kernels.h"
+
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
@@ -152,6 +154,30 @@ int Split(const Contours& contours, bool snap, Contours& result, const Progress&
 
 } // namespace
 
+std::vector<Vertex> InsertInOrder(
+  const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation)
+{
+  std::vector<Inexact::Point_2> rounded;
+  rounded.reserve(places.size());
+  for (const auto& place : places)
+  {
+    rounded.emplace_back(CGAL::to_double(place.x()), CGAL::to_double(place.y()));
+  }
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  using Map = CGAL::Pointer_property_map<Inexact::Point_2>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+    CGAL::Spatial_sort_traits_adapter_2<Inexact, Map>(CGAL::make_property_map(rounded)));
+  std::vector<Vertex> vertices(places.size());
+  PlaneTriangulation::Face_handle hint;
+  for (const std::size_t i : order)
+  {
+    vertices[i] = triangulation.insert(places[i], hint);
+    hint = vertices[i]->face();
+  }
+  return vertices;
+}
+
 std::vector<Vertex> InsertPoints(
   const std::vector<Point>& points, PlaneTriangulation& triangulation)
 {
@@ -161,19 +187,10 @@ std::vector<Vertex> InsertPoints(
   {
     places.emplace_back(point[0], point[1]);
   }
-  // Neighbors one after the other, so that each is found from the one before it.
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  using Map = CGAL::Pointer_property_map<PlaneKernel::Point_2>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_2<PlaneKernel, Map>(CGAL::make_property_map(places)));
-  std::vector<Vertex> vertices(points.size());
-  PlaneTriangulation::Face_handle hint;
-  for (const std::size_t i : order)
+  const std::vector<Vertex> vertices = InsertInOrder(places, triangulation);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    vertices[i] = triangulation.insert(places[i], hint);
     vertices[i]->info().Value = static_cast<int>(i);
-    hint = vertices[i]->face();
   }
   return vertices;
 }

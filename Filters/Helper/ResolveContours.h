@@ -36,6 +36,10 @@ using PlaneTriangulation =
       CGAL::Constrained_triangulation_face_base_2<PlaneKernel>>,
     CGAL::Exact_intersections_tag>>;
 
+/** Inserts points, neighbors one after the other so that each is found from the one before it. */
+std::vector<PlaneTriangulation::Vertex_handle> InsertInOrder(
+  const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation);
+
 /** Inserts points, no two of them equal, with their numbers. */
 std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
   const std::vector<carving::Point>& points, PlaneTriangulation& triangulation);

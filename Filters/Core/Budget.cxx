@@ -23,7 +23,7 @@ Budget<D>::Budget(
   {
     if (limits[0] >= 0 || limits[1] >= 0)
     {
-      this->Glued = std::make_unique<GluedCells>(mesh, this->Rest.GetStates());
+      this->Glued = std::make_unique<GluedCells>(mesh, this->Rest.GetCells());
     }
   }
 }
@@ -35,71 +35,108 @@ int Budget<D>::GetRoom(int number) const
 }
 
 template <int D>
+int Budget<D>::GetGluedRoom(int number) const
+{
+  return this->Limits[number] -
+    (number == 0 ? this->Glued->GetComponents() : this->Glued->GetTunnels());
+}
+
+template <int D>
 bool Budget<D>::PutAside(const Candidate& candidate, int slot)
 {
   this->Waiting[slot].push(candidate);
+  if (slot >= GluedSlots)
+  {
+    this->Glued->Watch(candidate.Cell);
+  }
   this->SlotOf[candidate.Cell] = static_cast<signed char>(slot);
   ++this->NumberAside;
   return false;
 }
 
-/** Whether the surface without the cell, once it is cut, would stay within the limits. */
+/**
+ * For what a cell would have to wait if the surface is cut without it, or -1 if it would stay within the
+ * limits.
+ */
 template <int D>
-bool Budget<D>::IsGluedWithin(int cell, GluedCells::Removal& removal)
+int Budget<D>::FindGluedSlot(int cell, GluedRemoval& removal)
 {
   removal = this->Glued->Examine(cell);
-  const auto isWithin = [&](const GluedCells::Removal& r)
+  const auto findSlot = [&](const GluedRemoval& r)
   {
-    return this->Glued->GetComponents() + r.Components <= this->Limits[0] &&
-      this->Glued->GetTunnels(r) <= this->Limits[1];
+    const int first = r.Components > this->GetGluedRoom(0) ? GluedSlots
+      : r.GetTunnels() > this->GetGluedRoom(1)             ? GluedSlots + GluedAmounts
+                                                           : -1;
+    const int amount = first == GluedSlots ? r.Components : r.GetTunnels();
+    return first < 0 ? -1 : first + std::max(amount, 1) - 1;
   };
-  if (isWithin(removal) || removal.Components <= 0)
+  const int slot = findSlot(removal);
+  if (slot < 0 || removal.Components <= 0)
   {
     this->MayBeLess = this->MayBeLess || removal.Components > 0;
-    return isWithin(removal);
+    return slot;
   }
   if (this->Glued->GetTunnels() > 0) // else nothing else joins the parts
   {
-    GluedCells::Removal least = removal;
-    least.Components = this->Glued->CountSides(cell, removal) - 1;
-    if (!isWithin(least))
+    GluedRemoval least = removal;
+    least.Components = this->Glued->GetParts().CountSides(cell, removal.Parts) - 1;
+    if (const int leastSlot = findSlot(least); leastSlot >= 0)
     {
-      return false;
+      return leastSlot;
     }
     this->Glued->JoinParts(cell, removal);
   }
-  if (removal.Components > 0 && !isWithin(removal))
+  const int exactSlot = findSlot(removal);
+  if (removal.Components > 0 && exactSlot >= 0)
   {
-    this->Glued->KeepAsBridge(cell, removal);
+    this->Glued->GetParts().KeepAsBridge(cell, removal.Parts);
   }
-  return isWithin(removal);
+  return exactSlot;
 }
 
+/** For what a cell would have to wait, or -1 if it would stay within the limits. */
 template <int D>
-bool Budget<D>::Admit(const Candidate& candidate)
+int Budget<D>::FindSlot(const Removal<D>& removal) const
 {
-  const Removal<D> removal = this->Rest.Examine(candidate.Cell);
   for (int number = 0; number < Numbers; ++number)
   {
     const int change = removal.Change[number];
     if (change > 0 && change > this->GetRoom(number))
     {
-      this->Rest.Keep(candidate.Cell, removal);
-      return this->PutAside(candidate, Amounts * number + change - 1);
+      return Amounts * number + change - 1;
     }
+  }
+  return -1;
+}
+
+template <int D>
+bool Budget<D>::Admit(const Candidate& candidate)
+{
+  Removal<D> removal = this->Rest.Examine(candidate.Cell);
+  int wanting = this->FindSlot(removal);
+  if (wanting >= 0 && !this->Rest.GetIsExact())
+  {
+    this->Rest.MakeExact();
+    removal = this->Rest.Examine(candidate.Cell);
+    wanting = this->FindSlot(removal);
+  }
+  if (wanting >= 0)
+  {
+    this->Rest.Keep(candidate.Cell, removal);
+    return this->PutAside(candidate, wanting);
   }
   if (this->Glued)
   {
-    GluedCells::Removal cut;
-    if (!this->IsGluedWithin(candidate.Cell, cut))
+    GluedRemoval cut;
+    const int slot = this->FindGluedSlot(candidate.Cell, cut);
+    if (slot >= 0)
     {
-      return this->PutAside(candidate, LastSlot);
+      return this->PutAside(candidate, slot);
     }
     this->Glued->Carve(candidate.Cell, cut);
   }
   this->Rest.Carve(candidate.Cell, removal);
   this->TakeBack(candidate.Cell, removal);
-  this->HasCarved = true;
   return true;
 }
 
@@ -128,16 +165,26 @@ void Budget<D>::TakeBack(int cell, const Removal<D>& removal)
 }
 
 template <int D>
-const Candidate* Budget<D>::GetBest()
+int Budget<D>::GetRoomFor(int slot) const
+{
+  return slot < GluedSlots ? this->GetRoom(slot / Amounts)
+                           : this->GetGluedRoom((slot - GluedSlots) / GluedAmounts);
+}
+
+/** The first of the cells that wait in some slots for no more than there is room for, or nullptr. */
+template <int D>
+const Candidate* Budget<D>::FindBest(int firstSlot, int lastSlot)
 {
   const Candidate* best = nullptr;
-  for (int slot = 0; slot<Amounts * Numbers&& this->NumberAside> 0; ++slot)
+  for (int slot = firstSlot; slot<lastSlot&& this->NumberAside> 0; ++slot)
   {
-    auto& queue = this->Waiting[slot];
-    if (slot % Amounts >= this->GetRoom(slot / Amounts))
+    const int amount =
+      slot < GluedSlots ? slot % Amounts + 1 : (slot - GluedSlots) % GluedAmounts + 1;
+    if (amount > this->GetRoomFor(slot))
     {
       continue;
     }
+    auto& queue = this->Waiting[slot];
     while (!queue.empty() && this->SlotOf[queue.top().Cell] != slot)
     {
       queue.pop(); // taken back since
@@ -152,6 +199,12 @@ const Candidate* Budget<D>::GetBest()
 }
 
 template <int D>
+const Candidate* Budget<D>::GetBest()
+{
+  return this->FindBest(0, GluedSlots);
+}
+
+template <int D>
 void Budget<D>::PopBest()
 {
   auto& queue = this->Waiting[this->BestSlot];
@@ -163,37 +216,28 @@ template <int D>
 std::vector<int> Budget<D>::TakeBackLast()
 {
   std::vector<int> cells;
-  auto& queue = this->Waiting[LastSlot];
-  if (!this->HasCarved || queue.empty())
+  if (!this->Glued)
   {
     return cells;
   }
-  this->HasCarved = false;
-  const int before = this->Glued->GetComponents();
-  if (this->MayBeLess)
+  for (const int cell : this->Glued->TakeChanged())
+  {
+    if (this->SlotOf[cell] >= GluedSlots && this->ComesBack(cell))
+    {
+      cells.push_back(cell);
+    }
+  }
+  if (cells.empty() && this->MayBeLess)
   {
     this->Glued->CountComponents();
     this->MayBeLess = false;
   }
-  const bool hasRoom = this->Glued->GetComponents() < before;
-  std::vector<Candidate> others;
-  for (; !queue.empty(); queue.pop())
+  const Candidate* best = cells.empty() ? this->FindBest(GluedSlots, NumberOfSlots) : nullptr;
+  if (best)
   {
-    const int cell = queue.top().Cell;
-    if (this->SlotOf[cell] == LastSlot)
-    {
-      if (hasRoom || this->Glued->HasChanged(cell))
-      {
-        this->ComesBack(cell);
-        cells.push_back(cell);
-      }
-      else
-      {
-        others.push_back(queue.top());
-      }
-    }
+    cells.push_back(best->Cell);
+    this->PopBest();
   }
-  queue = std::priority_queue<Candidate>({}, std::move(others));
   return cells;
 }
 

@@ -48,6 +48,16 @@ public:
   Budget(
     const Decomposition<D>& mesh, const std::vector<CellState>& states, const BettiNumbers& limits);
 
+  /** Has the processor fetch a cell that will be needed soon. */
+  void Fetch(int cell) const
+  {
+    this->Rest.Fetch(cell);
+    if (this->Glued)
+    {
+      this->Glued->Fetch(cell);
+    }
+  }
+
   /** Whether the cell can be carved now; it is then counted as carved. If not it is put aside. */
   bool Admit(const Candidate& candidate);
   /** Those put aside for which the last admitted may have changed something. They no longer are. */
@@ -67,8 +77,8 @@ public:
   void PopBest();
 
   /**
-   * Where nothing else can be carved: takes back those that the surface of what is left has kept aside, to be
-   * looked at again now that others have gone. None if none have.
+   * Where nothing else can be carved: takes back those that the surface of what is left has kept aside and
+   * that have been changed since; if there are none, the first for which there is room, if there is one.
    */
   std::vector<int> TakeBackLast();
 
@@ -76,24 +86,29 @@ private:
   static constexpr int Numbers = static_cast<int>(std::tuple_size_v<BettiNumbers>);
   static constexpr int Amounts = 3; ///< no removal adds more to any of them
 
-  static constexpr int LastSlot =
-    Amounts * Numbers; ///< for those that only the cut surface refuses
+  // Of components and tunnels, for those that only the cut surface refuses.
+  static constexpr int GluedSlots = Amounts * Numbers;
+  static constexpr int GluedAmounts = 6; ///< as before: no more edges than that can fall apart
+  static constexpr int NumberOfSlots = GluedSlots + 2 * GluedAmounts;
 
   int GetRoom(int number) const;
+  int GetGluedRoom(int number) const;
+  int GetRoomFor(int slot) const;
   bool PutAside(const Candidate& candidate, int slot);
-  bool IsGluedWithin(int cell, GluedCells::Removal& removal);
+  int FindSlot(const Removal<D>& removal) const;
+  int FindGluedSlot(int cell, GluedRemoval& removal);
+  const Candidate* FindBest(int firstSlot, int lastSlot);
   bool ComesBack(int cell);
   void TakeBack(int cell, const Removal<D>& removal);
 
   CarvedComplex<D> Rest;
   std::unique_ptr<GluedCells> Glued; ///< null in the plane and where only voids are limited
   BettiNumbers Limits;
-  /** Slot `Amounts * number + amount - 1`: by what a cell waits for. Cells taken back remain in there. */
-  std::array<std::priority_queue<Candidate>, Amounts * Numbers + 1> Waiting;
+  /** Slot `Amounts * number + amount - 1` and so on: what a cell waits for. Cells taken back remain. */
+  std::array<std::priority_queue<Candidate>, NumberOfSlots> Waiting;
   std::vector<signed char> SlotOf; ///< per cell; -1 if it is not aside
   int NumberAside = 0;
   int BestSlot = 0;
-  bool HasCarved = false; ///< since TakeBackLast
   bool MayBeLess = false; ///< the components of Glued
   std::vector<int> TakenBack;
 };

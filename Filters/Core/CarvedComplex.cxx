@@ -8,32 +8,72 @@ namespace carving
 namespace
 {
 
-/** A number for the edge between two corners of a tetrahedron, the second of which is the smaller. */
-int EdgeIndex(int p, int q)
+/**
+ * Whether something else than the tetrahedron, and than its faces, holds the edge between two corners.
+ * Turns both ways at once, so that it costs as much as the shorter one.
+ */
+bool IsEdgeHeld(const LeftCells<3>& cells, int cell, int p, int q)
 {
-  return p * (p - 1) / 2 + q;
+  EdgeTurn turns[] = { { cells, cell, p, q, 0 }, { cells, cell, p, q, 1 } };
+  int at[] = { cell, cell };
+  for (;;)
+  {
+    for (const int way : { 0, 1 })
+    {
+      if (at[way] == Outside)
+      {
+        continue;
+      }
+      at[way] = turns[way].GetBehind();
+      if (at[0] == at[1]) // all around, or both are outside C0
+      {
+        return false;
+      }
+      if (cells.IsFacet(at[way]) || cells.IsLeft(at[way]))
+      {
+        return at[way] != cell;
+      }
+      if (at[way] != Outside)
+      {
+        turns[way].Enter(at[way]);
+      }
+    }
+  }
+}
+
+/** The only cell besides the one carved last that holds the edge between two corners of that; else -1. */
+int FindOnlyHolder(const LeftCells<3>& cells, int cell, int p, int q)
+{
+  int only = -1;
+  for (const int way : { 0, 1 })
+  {
+    EdgeTurn turn(cells, cell, p, q, way);
+    int holder = turn.GetBehind();
+    while (holder >= 0 && holder != cell && !cells.IsLeft(holder))
+    {
+      turn.Enter(holder);
+      holder = turn.GetBehind();
+    }
+    if (cells.IsFacet(holder) || holder == cell || (only >= 0 && holder >= 0 && holder != only))
+    {
+      return -1;
+    }
+    only = std::max(only, holder);
+  }
+  return only;
 }
 
 } // namespace
 
 template <int D>
 CarvedComplex<D>::CarvedComplex(const Decomposition<D>& mesh, const std::vector<CellState>& states)
-  : Records(mesh.Cells.size())
-  , States(states)
-  , Rest(mesh, this->States)
+  : Cells(mesh, states)
+  , Rest(mesh, this->Cells.States)
   , Around(mesh.Surface.Points.size(), { 0, 0 })
 {
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
-    Record& record = this->Records[cell];
-    record.Corners = mesh.Cells[cell];
-    for (int f = 0; f <= D; ++f)
-    {
-      record.Behind[f] = mesh.Constraints[cell][f] >= 0 ? Facet
-        : mesh.Neighbors[cell][f] >= 0                  ? mesh.Neighbors[cell][f]
-                                                        : Exterior;
-    }
-    for (const int vertex : record.Corners)
+    for (const int vertex : mesh.Cells[cell])
     {
       auto& [count, combined] = this->Around[vertex];
       count = states[cell] == CellState::Stays || count < 0 ? -1 : count + 1;
@@ -53,129 +93,8 @@ CarvedComplex<D>::CarvedComplex(const Decomposition<D>& mesh, const std::vector<
 template <int D>
 bool CarvedComplex<D>::IsFaceHeld(int cell, int f) const
 {
-  const int behind = this->Records[cell].Behind[f];
-  return behind == Facet || (behind >= 0 && this->IsLeft(behind));
-}
-
-/** A turn around the edge between two corners of a tetrahedron, one way or the other. */
-template <int D>
-class CarvedComplex<D>::Turn
-{
-public:
-  static constexpr int Nothing = -3;
-
-  Turn(const CarvedComplex& complex, int cell, int p, int q, int way)
-    : Complex(complex)
-    , Edge{ complex.Records[cell].Corners[p], complex.Records[cell].Corners[q] }
-    , Start(cell)
-    , At(cell)
-  {
-    const std::array<int, 2> others = OtherCorners(p, q);
-    this->Through = others[way];
-    this->Ahead = complex.Records[cell].Corners[others[1 - way]];
-  }
-
-  /** The first that holds the edge, Exterior where there is none before that, or Nothing so far. */
-  int GetHolder() const
-  {
-    return this->Holder;
-  }
-
-  /** Where it has come to. */
-  int GetCell() const
-  {
-    return this->At;
-  }
-
-  /** Whether something else than the tetrahedron holds the edge, as far as is known. */
-  bool IsHeld() const
-  {
-    return this->Holder == Facet || (this->Holder >= 0 && this->Holder != this->Start);
-  }
-
-  /** Goes to the next cell around the edge. */
-  void Advance()
-  {
-    this->At = this->Complex.Records[this->At].Behind[this->Through];
-    if (this->At < 0 || this->At == this->Start || this->Complex.IsLeft(this->At))
-    {
-      this->Holder = this->At;
-      return;
-    }
-    const auto& corners = this->Complex.Records[this->At].Corners;
-    const int behind = this->Ahead;
-    for (int corner = 0; corner <= D; ++corner)
-    {
-      const int vertex = corners[corner];
-      if (vertex == behind)
-      {
-        this->Through = corner;
-      }
-      else if (vertex != this->Edge[0] && vertex != this->Edge[1])
-      {
-        this->Ahead = vertex;
-      }
-    }
-  }
-
-private:
-  const CarvedComplex& Complex;
-  std::array<int, 2> Edge;
-  int Start;
-  int At;
-  int Through; ///< the next step goes through the face opposite to this corner
-  int Ahead;   ///< of that face, the vertex off the edge
-  int Holder = Nothing;
-};
-
-/**
- * Whether something else than the tetrahedron, and than its faces, holds the edge between two corners.
- * Turns both ways at once, so that it costs as much as the shorter one.
- */
-template <int D>
-bool CarvedComplex<D>::IsEdgeHeld(int cell, int p, int q) const
-{
-  Turn one(*this, cell, p, q, 0), other(*this, cell, p, q, 1);
-  for (;;)
-  {
-    for (Turn* turn : { &one, &other })
-    {
-      if (turn->GetHolder() == Turn::Nothing)
-      {
-        turn->Advance();
-        if (turn->IsHeld())
-        {
-          return true;
-        }
-        if (one.GetCell() == other.GetCell()) // all around, or both are outside C0
-        {
-          return false;
-        }
-      }
-    }
-  }
-}
-
-/** The only cell besides the one carved last that holds the edge between two corners of that; else -1. */
-template <int D>
-int CarvedComplex<D>::FindOnlyHolder(int cell, int p, int q) const
-{
-  int only = -1;
-  for (const int way : { 0, 1 })
-  {
-    Turn turn(*this, cell, p, q, way);
-    while (turn.GetHolder() == Turn::Nothing)
-    {
-      turn.Advance();
-    }
-    const int holder = turn.GetHolder();
-    if (holder == Facet || holder == cell || (only >= 0 && holder >= 0 && holder != only))
-    {
-      return -1;
-    }
-    only = std::max(only, holder);
-  }
-  return only;
+  const int behind = this->Cells.Records[cell].Behind[f];
+  return this->Cells.IsFacet(behind) || this->Cells.IsLeft(behind);
 }
 
 template <int D>
@@ -203,7 +122,7 @@ Removal<D> CarvedComplex<D>::Examine(int cell)
       const int g = static_cast<int>(
         std::find(faceHeld.begin() + f + 1, faceHeld.end(), false) - faceHeld.begin());
       const auto [q, p] = OtherCorners(f, g);
-      if (this->IsEdgeHeld(cell, p, q))
+      if (IsEdgeHeld(this->Cells, cell, p, q))
       {
         removal.Change[1] = 1;
         removal.HeldEdges[EdgeIndex(p, q)] = true;
@@ -215,7 +134,7 @@ Removal<D> CarvedComplex<D>::Examine(int cell)
   std::array<bool, D + 1> vertexHeld;
   for (int corner = 0; corner <= D; ++corner)
   {
-    const int count = this->Around[this->Records[cell].Corners[corner]][0];
+    const int count = this->Around[this->Cells.Records[cell].Corners[corner]][0];
     vertexHeld[corner] = count < 0 || count > 1;
     labels[corner] = vertexHeld[corner] ? corner : -1;
   }
@@ -233,7 +152,7 @@ Removal<D> CarvedComplex<D>::Examine(int cell)
       {
         const auto [f, g] = OtherCorners(p, q);
         const bool byEdge = !faceHeld[f] && !faceHeld[g] && vertexHeld[p] && vertexHeld[q] &&
-          this->IsEdgeHeld(cell, p, q);
+          IsEdgeHeld(this->Cells, cell, p, q);
         removal.HeldEdges[EdgeIndex(p, q)] = byEdge;
         held = faceHeld[f] || faceHeld[g] || byEdge;
       }
@@ -249,7 +168,7 @@ Removal<D> CarvedComplex<D>::Examine(int cell)
   const int pieces = CountLabels(labels);
   const int loops = pieces - (vertices - edges + (D == 3 ? faces : 0));
   // In the plane, and where there is no tunnel that could end, nothing but the cell joins the pieces.
-  const bool local = pieces < 2 || D == 2 || this->Numbers[1] == 0;
+  const bool local = pieces < 2 || D == 2 || this->Numbers[1] == 0 || !this->IsExact;
   const int components = local ? pieces : this->Rest.JoinAround(cell, labels);
   removal.Change[0] = components - 1;
   removal.Change[1] = loops - (pieces - components);
@@ -263,13 +182,22 @@ void CarvedComplex<D>::Carve(int cell, const Removal<D>& removal)
   {
     this->Numbers[i] += removal.Change[i];
   }
-  this->States[cell] = CellState::Carved;
-  for (const int vertex : this->Records[cell].Corners)
+  this->Cells.States[cell] = CellState::Carved;
+  for (const int vertex : this->Cells.Records[cell].Corners)
   {
     auto& [count, combined] = this->Around[vertex];
     count -= count > 0;
     combined ^= cell;
   }
+}
+
+template <int D>
+void CarvedComplex<D>::MakeExact()
+{
+  this->IsExact = true;
+  const int excess = this->Numbers[0] - this->Rest.CountComponents();
+  this->Numbers[0] -= excess;
+  this->Numbers[1] -= excess;
 }
 
 template <int D>
@@ -285,9 +213,9 @@ template <int D>
 void CarvedComplex<D>::FindTouched(
   int cell, const Removal<D>& removal, std::vector<int>& touched) const
 {
-  for (const int behind : this->Records[cell].Behind)
+  for (const int behind : this->Cells.Records[cell].Behind)
   {
-    if (behind >= 0 && this->IsLeft(behind))
+    if (this->Cells.IsLeft(behind))
     {
       touched.push_back(behind);
     }
@@ -298,7 +226,8 @@ void CarvedComplex<D>::FindTouched(
     {
       for (int q = 0; q < p; ++q)
       {
-        const int only = removal.HeldEdges[EdgeIndex(p, q)] ? this->FindOnlyHolder(cell, p, q) : -1;
+        const int only =
+          removal.HeldEdges[EdgeIndex(p, q)] ? FindOnlyHolder(this->Cells, cell, p, q) : -1;
         if (only >= 0)
         {
           touched.push_back(only);
@@ -306,7 +235,7 @@ void CarvedComplex<D>::FindTouched(
       }
     }
   }
-  for (const int vertex : this->Records[cell].Corners)
+  for (const int vertex : this->Cells.Records[cell].Corners)
   {
     const auto [count, combined] = this->Around[vertex];
     if (count == 1)

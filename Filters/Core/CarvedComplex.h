@@ -8,6 +8,7 @@
 
 #include "Carver.h"
 #include "Connectivity.h"
+#include "LeftCells.h"
 #include "Mesh.h"
 
 #include <array>
@@ -56,13 +57,29 @@ public:
     return this->Numbers;
   }
 
-  const std::vector<CellState>& GetStates() const
+  const LeftCells<D>& GetCells() const
   {
-    return this->States;
+    return this->Cells;
+  }
+
+  /** Has the processor fetch what it needs to know of a cell that may soon be examined. */
+  void Fetch(int cell) const
+  {
+    __builtin_prefetch(&this->Cells.Records[cell]);
   }
 
   /** The cell must adjoin the exterior, or begin a region that M encloses. */
   Removal<D> Examine(int cell);
+
+  /**
+   * Until then, pieces of A count as components of their own: no component and no tunnel is missed, but there
+   * may be less, and as many of both.
+   */
+  void MakeExact();
+  bool GetIsExact() const
+  {
+    return this->IsExact;
+  }
 
   /** The cell is carved. */
   void Carve(int cell, const Removal<D>& removal);
@@ -77,31 +94,12 @@ public:
   void FindTouched(int cell, const Removal<D>& removal, std::vector<int>& touched) const;
 
 private:
-  // What may be behind a face besides another cell.
-  static constexpr int Exterior = -1; ///< that of C0
-  static constexpr int Facet = -2;    ///< nothing to turn to: the face is a facet of M
-
-  /** All that a turn has to know of a cell, in one place. */
-  struct Record
-  {
-    typename Decomposition<D>::Cell Corners;
-    typename Decomposition<D>::Cell Behind; ///< its faces
-  };
-
-  class Turn;
-
-  bool IsLeft(int cell) const
-  {
-    return this->States[cell] != CellState::Carved;
-  }
   bool IsFaceHeld(int cell, int f) const;
-  bool IsEdgeHeld(int cell, int p, int q) const;
-  int FindOnlyHolder(int cell, int p, int q) const;
 
-  std::vector<Record> Records;
-  std::vector<CellState> States;
+  LeftCells<D> Cells;
   Connectivity<D> Rest;
   BettiNumbers Numbers = { 1, 0, 0 };
+  bool IsExact = D == 2;
   /**
    * Per vertex: how many of the cells that may be carved are left around it, and their indices combined
    * by exclusive or, which of one is its index; -1 for a vertex of M or of a cell that stays for good.

@@ -157,6 +157,10 @@ private:
   void Fetch(int cell) const
   {
     __builtin_prefetch(&this->Cells[cell]);
+    if (this->Limits)
+    {
+      this->Limits->Fetch(cell);
+    }
   }
 
   void FetchTop() const

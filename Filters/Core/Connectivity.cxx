@@ -21,6 +21,10 @@ Connectivity<D>::Connectivity(const Decomposition<D>& mesh, const std::vector<Ce
 template <int D>
 void Connectivity<D>::FindNodes()
 {
+  if (!this->Node.empty())
+  {
+    return;
+  }
   DisjointSets sets(this->Mesh.Surface.Points.size());
   for (const auto& facet : this->Mesh.Surface.Facets)
   {
@@ -44,6 +48,34 @@ void Connectivity<D>::FindNodes()
   {
     this->Node[vertex] = sets.Find(static_cast<int>(vertex));
   }
+}
+
+template <int D>
+int Connectivity<D>::CountComponents()
+{
+  this->FindNodes();
+  DisjointSets sets(this->Node.size());
+  std::vector<char> isLeft(this->Node.size(), 0); // per node
+  for (const auto& facet : this->Mesh.Surface.Facets)
+  {
+    isLeft[this->Node[facet[0]]] = 1;
+  }
+  for (std::size_t cell = 0; cell < this->Mesh.Cells.size(); ++cell)
+  {
+    const auto& corners = this->Mesh.Cells[cell];
+    isLeft[this->Node[corners[0]]] |= this->States[cell] != CellState::Carved;
+    for (int corner = 0; corner <= D && this->States[cell] == CellState::Carvable; ++corner)
+    {
+      isLeft[this->Node[corners[corner]]] = 1;
+      sets.Unite(this->Node[corners[corner]], this->Node[corners[0]]);
+    }
+  }
+  int components = 0;
+  for (int node = 0; node < static_cast<int>(this->Node.size()); ++node)
+  {
+    components += isLeft[node] && sets.Find(node) == node;
+  }
+  return components;
 }
 
 /** Calls `visit` with pairs of nodes, the lower first, that a cell which may be carved has corners of. */
@@ -259,11 +291,8 @@ void Connectivity<D>::FollowLink(Search& search, int cell)
 template <int D>
 int Connectivity<D>::JoinAround(int cell, Labels& labels)
 {
-  if (this->Node.empty())
-  {
-    this->FindNodes();
-    this->Reached.assign(this->Node.size(), -1);
-  }
+  this->FindNodes();
+  this->Reached.resize(this->Node.size(), -1);
   this->Start(cell, labels);
   for (bool open = true; open;)
   {

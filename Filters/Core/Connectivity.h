@@ -6,31 +6,15 @@
 #ifndef carving_Connectivity_h
 #define carving_Connectivity_h
 
+#include "LeftCells.h"
 #include "Mesh.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace carving
 {
-
-enum class CellState : char
-{
-  Carvable,
-  Carved,
-  Stays ///< for good
-};
-
-/** How many different labels there are, not counting -1. */
-template <std::size_t N>
-int CountLabels(std::array<int, N> labels)
-{
-  std::sort(labels.begin(), labels.end());
-  const auto first = std::upper_bound(labels.begin(), labels.end(), -1);
-  return static_cast<int>(std::unique(first, labels.end()) - first);
-}
 
 /**
  * Connectivity of K, the closed complex of M, the solid and all cells that are not carved, while cells
@@ -57,6 +41,9 @@ public:
    * that the rest of K joins and returns the number of labels that remain.
    */
   int JoinAround(int cell, Labels& labels);
+
+  /** How many components K has. */
+  int CountComponents();
 
   /**
    * The cell stays although K would fall apart into these components without it. They can only be joined

@@ -2,330 +2,251 @@
 #include "GluedCells.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace carving
 {
-namespace
-{
 
-void Unite(std::array<int, 4>& labels, int a, int b)
+GluedCells::GluedCells(const Decomposition<3>& mesh, const LeftCells<3>& cells)
+  : Cells(cells)
+  , Touched(mesh.Surface.Points.size(), 0)
+  , Watched(mesh.Cells.size(), 0)
+  , FirstWatcher(mesh.Surface.Points.size(), -1)
+  , Next(4 * mesh.Cells.size() + mesh.Surface.Points.size())
+  , Parts(cells)
 {
-  std::replace(labels.begin(), labels.end(), a, b);
-}
-
-} // namespace
-
-/** Unites those cells that share faces with each other. */
-template <class Predicate>
-DisjointSets GluedCells::Glue(Predicate&& isOne) const
-{
-  DisjointSets sets(this->Mesh.Cells.size());
-  for (int cell = 0; cell < static_cast<int>(this->Mesh.Cells.size()); ++cell)
+  std::iota(this->Next.begin(), this->Next.end(), 0);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
-    for (const int neighbor : this->Mesh.Neighbors[cell])
-    {
-      if (neighbor >= 0 && neighbor < cell && isOne(neighbor) && isOne(cell))
-      {
-        sets.Unite(cell, neighbor);
-      }
-    }
-  }
-  return sets;
-}
-
-GluedCells::GluedCells(const Decomposition<3>& mesh, const std::vector<CellState>& states)
-  : Mesh(mesh)
-  , States(states)
-  , Records(mesh.Cells.size())
-  , Touched(mesh.Surface.Points.size(), -1)
-  , LookedAt(mesh.Cells.size(), -1)
-  , Sides(mesh.Cells.size(), 0)
-  , ReachedBy(mesh.Cells.size(), -1)
-  , Block(mesh.Cells.size(), -1)
-  , BlockReachedBy(mesh.Cells.size(), -1)
-{
-  DisjointSets sets = this->Glue([&](int cell) { return states[cell] == CellState::Stays; });
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    this->Records[cell] = { mesh.Cells[cell], mesh.Neighbors[cell] };
-    if (states[cell] == CellState::Stays)
-    {
-      this->Block[cell] = sets.Find(static_cast<int>(cell));
-    }
     for (int f = 0; f < 4; ++f)
     {
-      for (int corner = 0; corner < 4 && mesh.Neighbors[cell][f] < 0; ++corner)
+      for (int corner = 0; corner < 4 && cells.GetNeighbor(cell, f) < 0; ++corner)
       {
         if (corner != f)
         {
-          this->Touched[mesh.Cells[cell][corner]] = 0;
+          this->Touched[mesh.Cells[cell][corner]] = 1;
         }
       }
     }
   }
 }
 
-/** Whether the exterior is somewhere around the edge between two corners of a tetrahedron. */
-bool GluedCells::IsTouched(int cell, int p, int q) const
+/** What of the exterior is around an edge between two faces with others behind them; Nothing if none is. */
+int GluedCells::FindExterior(int cell, int p, int q) const
 {
-  const Record& start = this->Records[cell];
-  const int edge[] = { start.Corners[p], start.Corners[q] };
-  if (this->Touched[edge[0]] < 0 || this->Touched[edge[1]] < 0)
+  const auto& corners = this->Cells.Records[cell].Corners;
+  if (!this->Touched[corners[p]] || !this->Touched[corners[q]])
   {
-    return false;
+    return Nothing;
   }
-  const std::array<int, 2> others = OtherCorners(p, q);
-  int at = cell, through = others[0], ahead = start.Corners[others[1]];
+  EdgeTurn turns[] = { { this->Cells, cell, p, q, 0 }, { this->Cells, cell, p, q, 1 } };
+  int at[] = { cell, cell };
   for (;;)
   {
-    at = this->Records[at].Behind[through];
-    if (at == cell || at < 0)
+    for (const int way : { 0, 1 })
     {
-      return at < 0;
-    }
-    const auto& corners = this->Records[at].Corners;
-    const int behind = ahead;
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const int vertex = corners[corner];
-      if (vertex == behind)
+      at[way] = LeftCells<3>::Past(turns[way].GetBehind());
+      if (at[0] == at[1])
       {
-        through = corner;
+        return Nothing; // all around
       }
-      else if (vertex != edge[0] && vertex != edge[1])
+      if (!this->Cells.IsLeft(at[way]))
       {
-        ahead = vertex;
+        return at[way];
       }
+      turns[way].Enter(at[way]);
     }
   }
 }
 
-bool GluedCells::HasChanged(int cell) const
+/** In the sets of the exterior: where a cell, or what is outside C0, is at a vertex. */
+int GluedCells::GetCorner(int cell, int vertex) const
 {
-  const auto& corners = this->Mesh.Cells[cell];
-  return std::any_of(corners.begin(), corners.end(),
-    [&](int vertex) { return this->Touched[vertex] > this->LookedAt[cell]; });
+  return cell < 0 ? 4 * static_cast<int>(this->Cells.Records.size()) + vertex
+                  : 4 * cell + CornerOf(this->Cells.Records[cell].Corners, vertex);
 }
 
-GluedCells::Removal GluedCells::Examine(int cell)
+GluedRemoval GluedCells::Examine(int cell)
 {
-  this->LookedAt[cell] = this->Time;
-  Labels labels;
-  int held = 0;
+  this->Watched[cell] = 0;
+  std::array<int, 4> behind;
+  unsigned held = 0, touched = 0;
   for (int f = 0; f < 4; ++f)
   {
-    const bool isHeld = this->Records[cell].Behind[f] >= 0;
-    labels[f] = isHeld ? f : -1;
-    held += isHeld;
+    behind[f] = this->Cells.GetNeighbor(cell, f);
+    held |= static_cast<unsigned>(this->Cells.IsLeft(behind[f])) << f;
   }
-  if (held < 2)
+  std::array<int, 6> exterior;
+  for (int p = 0; p < 4; ++p)
   {
-    return held == 0 ? Removal{ -1, 0, -1, labels } : Removal{ 0, 0, 0, labels };
-  }
-  const Labels faces = labels;
-  std::array<std::array<int, 2>, 6> touched; // pairs of faces
-  int numberOfTouched = 0;
-  for (int f = 0; f < 4; ++f)
-  {
-    for (int g = 0; g < f; ++g)
+    for (int q = 0; q < p; ++q)
     {
-      if (faces[f] >= 0 && faces[g] >= 0)
-      {
-        const auto [p, q] = OtherCorners(f, g);
-        if (this->IsTouched(cell, p, q))
-        {
-          touched[numberOfTouched++] = { f, g };
-        }
-        else
-        {
-          Unite(labels, labels[f], labels[g]);
-        }
-      }
+      const auto [f, g] = OtherCorners(p, q);
+      const bool isBetween = held >> f & held >> g & 1;
+      const int found = isBetween ? this->FindExterior(cell, p, q) : behind[held >> f & 1 ? g : f];
+      exterior[EdgeIndex(p, q)] = found;
+      touched |= static_cast<unsigned>(isBetween && found != Nothing) << EdgeIndex(p, q);
     }
   }
-  if (numberOfTouched == 0)
+  const GluedRemoval& apart = AssessApart(held, touched);
+  std::array<unsigned, 4> closed = {};
+  for (int corner = 0; corner < 4 && apart.HasSeveralGaps; ++corner)
   {
-    const int voids = held == 4 ? 1 : 0;
-    return { 0, voids, voids, labels };
+    closed[corner] = this->FindClosed(cell, corner, apart.Gaps[corner], exterior);
   }
-  // The other edges, faces and the tetrahedron itself leave the characteristic as it is.
-  Removal removal = {};
-  removal.EulerCharacteristic = (held == 4) - numberOfTouched;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    Labels around = faces;
-    around[corner] = -1;
-    for (int f = 0; f < 4; ++f)
-    {
-      for (int g = 0; g < f; ++g)
-      {
-        const bool apart = std::find(touched.begin(), touched.begin() + numberOfTouched,
-                             std::array<int, 2>{ f, g }) != touched.begin() + numberOfTouched;
-        if (around[f] >= 0 && around[g] >= 0 && !apart)
-        {
-          Unite(around, around[f], around[g]);
-        }
-      }
-    }
-    if (CountLabels(around) > 1)
-    {
-      this->Join(cell, this->Mesh.Cells[cell][corner], around);
-      removal.EulerCharacteristic += CountLabels(around) - 1;
-    }
-    for (int f = 0; f < 4; ++f)
-    {
-      for (int g = 0; g < f; ++g)
-      {
-        if (around[f] >= 0 && around[f] == around[g])
-        {
-          Unite(labels, labels[f], labels[g]);
-        }
-      }
-    }
-  }
-  removal.Components = CountLabels(labels) - 1;
-  removal.Parts = labels;
+  GluedRemoval removal =
+    closed == std::array<unsigned, 4>() ? apart : Assess(held, touched, closed);
+  removal.Exterior = exterior;
   return removal;
 }
 
-int GluedCells::CountSides(int cell, const Removal& removal) const
+int GluedCells::FindRoot(int corner)
 {
-  Labels sides = removal.Parts;
-  for (int f = 0; f < 4; ++f)
+  while (this->Next[corner] != corner)
   {
-    sides[f] = sides[f] < 0 ? -1 : this->SideOf(cell, f);
+    corner = this->Next[corner] = this->Next[this->Next[corner]];
   }
-  return CountLabels(sides);
-}
-
-void GluedCells::JoinParts(int cell, Removal& removal)
-{
-  this->Join(cell, -1, removal.Parts);
-  removal.Components = CountLabels(removal.Parts) - 1;
-}
-
-/** The search from face f comes to a cell, and with that to all that stays for good with it. */
-void GluedCells::Reach(int cell, int from, int f, Labels& labels, bool everywhere)
-{
-  const int now = 4 * this->Search;
-  int& reachedBy = this->ReachedBy[cell];
-  if (reachedBy >= now)
-  {
-    Unite(labels, labels[reachedBy - now], labels[f]);
-    return;
-  }
-  reachedBy = now + f;
-  __builtin_prefetch(&this->Records[cell]); // for when the search goes on from here
-  int entry = 0;
-  while (everywhere && this->Sides[cell] != 0 && this->Records[cell].Behind[entry] != from)
-  {
-    ++entry;
-  }
-  this->Reached[f].push_back(4 * cell + entry);
-  if (everywhere && this->Block[cell] >= 0)
-  {
-    int& blockReachedBy = this->BlockReachedBy[this->Block[cell]];
-    if (blockReachedBy >= now)
-    {
-      Unite(labels, labels[blockReachedBy - now], labels[f]);
-    }
-    blockReachedBy = now + f;
-  }
+  return corner;
 }
 
 /**
- * Searches from behind the faces of a tetrahedron through the others, with a vertex through those around
- * that alone, in lockstep until all have met or only one can go on.
+ * Of the gaps at a corner of a tetrahedron, those that the exterior does not join to another one around the
+ * vertex: there others close the gap once it has gone. Between two that are joined something falls off.
  */
-void GluedCells::Join(int cell, int vertex, Labels& labels)
+unsigned GluedCells::FindClosed(
+  int cell, int corner, unsigned gaps, const std::array<int, 6>& exterior)
 {
-  ++this->Search;
-  std::array<std::size_t, 4> next = {};
-  for (int f = 0; f < 4; ++f)
+  if ((gaps & (gaps - 1)) == 0)
   {
-    this->Reached[f].clear();
-    if (labels[f] >= 0)
-    {
-      this->Reach(this->Records[cell].Behind[f], cell, f, labels, vertex < 0);
-    }
+    return 0;
   }
-  const auto isOpen = [&](int f) { return next[f] < this->Reached[f].size(); };
-  const auto areSeveralOpen = [&]
+  const int vertex = this->Cells.Records[cell].Corners[corner];
+  std::array<int, 6> roots;
+  for (int edge = 0; edge < 6; ++edge)
   {
-    int first = -1;
-    for (int f = 0; f < 4; ++f)
-    {
-      if (isOpen(f) && first >= 0 && labels[f] != first)
-      {
-        return true;
-      }
-      first = isOpen(f) ? labels[f] : first;
-    }
-    return false;
-  };
-  while (areSeveralOpen())
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      if (!isOpen(f))
-      {
-        continue;
-      }
-      const int from = this->Reached[f][next[f]] / 4;
-      const int side = this->SideOf(from, this->Reached[f][next[f]] % 4);
-      const Record& record = this->Records[from];
-      ++next[f];
-      for (int g = 0; g < 4; ++g)
-      {
-        const int to = record.Behind[g];
-        if (to < 0 || to == cell ||
-          (vertex >= 0 ? record.Corners[g] == vertex : this->SideOf(from, g) != side))
-        {
-          continue;
-        }
-        this->Reach(to, from, f, labels, vertex < 0);
-      }
-    }
+    roots[edge] = gaps >> edge & 1 ? this->FindRoot(this->GetCorner(exterior[edge], vertex)) : -1;
   }
+  unsigned closed = 0;
+  for (int edge = 0; edge < 6; ++edge)
+  {
+    const bool isAlone = std::count(roots.begin(), roots.end(), roots[edge]) == 1;
+    closed |= static_cast<unsigned>(roots[edge] >= 0 && isAlone) << edge;
+  }
+  return closed;
 }
 
-void GluedCells::KeepAsBridge(int cell, const Removal& removal)
+void GluedCells::JoinParts(int cell, GluedRemoval& removal)
 {
-  this->Sides[cell] = 0;
-  for (int f = 0; f < 4; ++f)
-  {
-    this->Sides[cell] |= static_cast<unsigned char>(std::max(0, removal.Parts[f]) << (2 * f));
-  }
+  this->Parts.Join(cell, removal.Parts);
+  removal.Components = CountLabels(removal.Parts) - 1;
 }
 
-void GluedCells::Carve(int cell, const Removal& removal)
+void GluedCells::Carve(int cell, const GluedRemoval& removal)
 {
   this->Components += removal.Components;
   this->Voids += removal.Voids;
   this->EulerCharacteristic += removal.EulerCharacteristic;
-  ++this->Time;
-  for (const int vertex : this->Mesh.Cells[cell])
+  this->Parts.Carve(cell);
+  for (int p = 0; p < 4; ++p)
   {
-    this->Touched[vertex] = this->Time;
-  }
-  for (const int neighbor : this->Records[cell].Behind)
-  {
+    const int vertex = this->Cells.Records[cell].Corners[p];
+    this->Touched[vertex] = 1;
+    if (this->Merge(cell, p, removal))
+    {
+      this->NotifyAround(vertex);
+    }
+    for (int q = 0; q < p; ++q)
+    {
+      if (removal.Exterior[EdgeIndex(p, q)] == Nothing)
+      {
+        this->NotifyAround(cell, p, q);
+      }
+    }
+    const int neighbor = this->Cells.GetNeighbor(cell, p);
     if (neighbor >= 0)
     {
-      auto& behind = this->Records[neighbor].Behind;
-      std::replace(behind.begin(), behind.end(), cell, -1);
+      this->Notify(neighbor);
     }
   }
 }
 
-void GluedCells::CountComponents()
+/**
+ * Adds a corner of a cell that goes to the exterior around its vertex. Returns whether parts of that which
+ * had been apart now hang together.
+ */
+bool GluedCells::Merge(int cell, int corner, const GluedRemoval& removal)
 {
-  const auto isLeft = [this](int cell) { return this->States[cell] != CellState::Carved; };
-  DisjointSets sets = this->Glue(isLeft);
-  this->Components = 0;
-  for (int cell = 0; cell < static_cast<int>(this->Mesh.Cells.size()); ++cell)
+  const int own = 4 * cell + corner;
+  bool merged = false;
+  for (int edge = 0, gaps = removal.Gaps[corner]; gaps >> edge != 0; ++edge)
   {
-    this->Components += isLeft(cell) && sets.Find(cell) == cell;
+    if ((gaps >> edge & 1) == 0)
+    {
+      continue;
+    }
+    const int other =
+      this->GetCorner(removal.Exterior[edge], this->Cells.Records[cell].Corners[corner]);
+    const int root = this->FindRoot(own);
+    if (root == own)
+    {
+      // The first gap, mostly the only one: no need to go to the root, but the trees stay flat.
+      this->Next[own] = this->Next[other];
+      continue;
+    }
+    const int otherRoot = this->FindRoot(other);
+    merged = merged || otherRoot != root;
+    this->Next[root] = otherRoot;
+  }
+  return merged;
+}
+
+void GluedCells::Watch(int cell)
+{
+  this->Watched[cell] = 1;
+  for (const int vertex : this->Cells.Records[cell].Corners)
+  {
+    int& first = this->FirstWatcher[vertex];
+    this->Watchers.push_back({ cell, first });
+    first = static_cast<int>(this->Watchers.size()) - 1;
+  }
+}
+
+void GluedCells::Notify(int cell)
+{
+  if (this->Watched[cell])
+  {
+    this->Watched[cell] = 0;
+    this->Changed.push_back(cell);
+  }
+}
+
+void GluedCells::NotifyAround(int vertex)
+{
+  int watcher = std::exchange(this->FirstWatcher[vertex], -1);
+  for (; watcher >= 0; watcher = this->Watchers[watcher].Next)
+  {
+    this->Notify(this->Watchers[watcher].Cell);
+  }
+}
+
+/** All around an edge between two corners of a tetrahedron; the exterior has not touched it before. */
+void GluedCells::NotifyAround(int cell, int p, int q)
+{
+  const auto& corners = this->Cells.Records[cell].Corners;
+  if (this->FirstWatcher[corners[p]] < 0 || this->FirstWatcher[corners[q]] < 0)
+  {
+    return;
+  }
+  EdgeTurn turn(this->Cells, cell, p, q, 0);
+  for (;;)
+  {
+    const int at = LeftCells<3>::Past(turn.GetBehind());
+    if (at == cell)
+    {
+      return;
+    }
+    this->Notify(at);
+    turn.Enter(at);
   }
 }
 

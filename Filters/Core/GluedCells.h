@@ -6,11 +6,14 @@
 #ifndef carving_GluedCells_h
 #define carving_GluedCells_h
 
-#include "Connectivity.h"
-#include "DisjointSets.h"
+#include "GluedParts.h"
+#include "GluedRemoval.h"
+#include "LeftCells.h"
 #include "Mesh.h"
 
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace carving
@@ -28,84 +31,81 @@ namespace carving
 class GluedCells
 {
 public:
-  /** Per face of a tetrahedron: equal for those behind which the others hang together, -1 for no other. */
-  using Labels = std::array<int, 4>;
-
-  /** What would change if a tetrahedron went. */
-  struct Removal
-  {
-    int Components; ///< at most
-    int Voids;      ///< at most
-    int EulerCharacteristic;
-    Labels Parts; ///< per face, those of the components around it
-  };
-
   /** Starts from C0, a ball. Follows the states of the cells; both must outlive this object. */
-  GluedCells(const Decomposition<3>& mesh, const std::vector<CellState>& states);
+  GluedCells(const Decomposition<3>& mesh, const LeftCells<3>& cells);
 
-  Removal Examine(int cell);
-  /** Whether another one around any of its vertices has gone since the tetrahedron was examined. */
-  bool HasChanged(int cell) const;
+  /** Has the processor fetch what it needs to know of a cell that may soon be examined. */
+  void Fetch(int cell) const
+  {
+    __builtin_prefetch(&this->Next[4 * static_cast<std::size_t>(cell)]);
+  }
+
+  GluedRemoval Examine(int cell);
+  /** From now on, until it is examined again: notes when it would no longer fare as it has. */
+  void Watch(int cell);
+  /** Those watched of which Examine may now say something else. They are no longer watched. */
+  std::vector<int> TakeChanged()
+  {
+    return std::exchange(this->Changed, {});
+  }
   /** Makes the change in components exact where parts are joined somewhere else. */
-  void JoinParts(int cell, Removal& removal);
-  void Carve(int cell, const Removal& removal);
-  /**
-   * The tetrahedron stays although N would fall into these parts without it. They can only be joined through
-   * it, for as long as it stays: no other search has to go through it from one to the other.
-   */
-  void KeepAsBridge(int cell, const Removal& removal);
-  /** How many parts of those around the tetrahedron are known to be apart without it. */
-  int CountSides(int cell, const Removal& removal) const;
+  void JoinParts(int cell, GluedRemoval& removal);
+  void Carve(int cell, const GluedRemoval& removal);
+  GluedParts& GetParts()
+  {
+    return this->Parts;
+  }
 
   /** At most. */
   int GetComponents() const
   {
     return this->Components;
   }
-  /** At most; with what a removal would change. */
-  int GetTunnels(const Removal& removal = {}) const
+  /** At most. */
+  int GetTunnels() const
   {
-    return this->Components + removal.Components + this->Voids + removal.Voids -
-      this->EulerCharacteristic - removal.EulerCharacteristic;
+    return this->Components + this->Voids - this->EulerCharacteristic;
   }
 
   /** Makes the number of components exact. */
-  void CountComponents();
-
-private:
-  /** All that a walk has to know of a cell, in one place. */
-  struct Record
+  void CountComponents()
   {
-    Decomposition<3>::Cell Corners;
-    Decomposition<3>::Cell Behind; ///< its faces: the other cells that are left, or -1
-  };
-
-  template <class Predicate>
-  DisjointSets Glue(Predicate&& isOne) const;
-  bool IsTouched(int cell, int p, int q) const;
-  void Join(int cell, int vertex, Labels& labels);
-  void Reach(int cell, int from, int f, Labels& labels, bool everywhere);
-  int SideOf(int cell, int f) const
-  {
-    return this->Sides[cell] >> (2 * f) & 3;
+    this->Components = this->Parts.CountComponents();
   }
 
-  const Decomposition<3>& Mesh;
-  const std::vector<CellState>& States;
-  std::vector<Record> Records;
-  int Time = 0;             ///< how many have gone
-  std::vector<int> Touched; ///< per vertex: when the last one around it went, 0 on C0; -1: none yet
-  std::vector<int> LookedAt; ///< per cell: when it was examined last
+private:
+  static constexpr int Nothing = GluedRemoval::Nothing;
+
+  int FindExterior(int cell, int p, int q) const;
+  int GetCorner(int cell, int vertex) const;
+  int FindRoot(int corner);
+  bool Merge(int cell, int corner, const GluedRemoval& removal);
+  void Notify(int cell);
+  void NotifyAround(int vertex);
+  void NotifyAround(int cell, int p, int q);
+  unsigned FindClosed(int cell, int corner, unsigned gaps, const std::array<int, 6>& exterior);
+
+  const LeftCells<3>& Cells;
+  std::vector<char> Touched; ///< per vertex: whether the exterior is somewhere around it
+  std::vector<char> Watched; ///< per cell
+  std::vector<int> Changed;
+  struct Watcher
+  {
+    int Cell;
+    int Next; ///< in the list, or -1
+  };
+  std::vector<Watcher> Watchers;
+  std::vector<int> FirstWatcher; ///< per vertex: the list of those around it that have been watched
+  /**
+   * The link of a vertex is a sphere, of which the exterior has a part. Per corner of each cell, and then per
+   * vertex for what is outside C0: another corner, of a cell that is gone, with which it hangs together
+   * around the vertex, be it in an edge; itself if there is none. These are trees.
+   */
+  std::vector<int> Next;
   int Components = 1;
   int Voids = 0;
   int EulerCharacteristic = 1;
-  std::vector<unsigned char> Sides; ///< per cell: faces with the same number are on one side of it
-  // Of a search from behind the faces of a tetrahedron: 4 times a cell, plus the face it was entered by.
-  std::array<std::vector<int>, 4> Reached;
-  std::vector<int> ReachedBy; ///< per cell: 4 times the number of the last search, plus the face
-  /** Per cell: the part of what stays for good that it belongs to, -1 for others. And per part as above. */
-  std::vector<int> Block, BlockReachedBy;
-  int Search = 0;
+  GluedParts Parts;
 };
 
 } // namespace carving

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What is kept of the tetrahedra that are left, glued at faces only, while they go one by one.
+ */
+#include "GluedCells.h"
+#include "GluedCount.h"
+#include "HelperRun.h"
+#include "RandomModels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+Tetrahedralization DrawTetrahedra(std::mt19937_64& random)
+{
+  Job job;
+  job.Mesh = random() % 2 == 0 ? models::Soup(2 + static_cast<int>(random() % 8), random)
+                               : models::MakeRandom(random).Mesh;
+  job.Conformity = Conformity::Auto;
+  job.EnclosingTolerance = 0.0; // no refinement
+  const HelperRun run = RunHelper(job);
+  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
+  return run.Reply.Result;
+}
+
+/** One tetrahedron a step, in a random order, but each beside the exterior, if there need not be a void. */
+Stream DrawOrder(const Tetrahedralization& mesh, std::mt19937_64& random)
+{
+  Stream stream;
+  stream.Step.assign(mesh.Cells.size(), Stream::Never);
+  stream.StepPriority.assign(1, 0.0);
+  std::vector<int> candidates;
+  const auto expose = [&](int cell)
+  {
+    if (cell >= 0 && stream.Step[cell] == Stream::Never && random() % 8 != 0)
+    {
+      candidates.push_back(cell);
+    }
+  };
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    const auto& neighbors = mesh.Neighbors[cell];
+    expose(*std::min_element(neighbors.begin(), neighbors.end()) < 0 ? cell : -1);
+  }
+  while (!candidates.empty())
+  {
+    std::swap(candidates[random() % candidates.size()], candidates.back());
+    const int cell = candidates.back();
+    candidates.pop_back();
+    if (stream.Step[cell] == Stream::Never)
+    {
+      stream.Step[cell] = static_cast<int>(stream.StepPriority.size());
+      stream.StepPriority.push_back(0.0);
+      std::for_each(mesh.Neighbors[cell].begin(), mesh.Neighbors[cell].end(), expose);
+    }
+  }
+  return stream;
+}
+
+} // namespace
+
+// While tetrahedra go in any order, through M too, components and tunnels are those that are counted anew:
+// from classes of corners and edges, which have no notion of gaps.
+TEST(GluedCells, AreCountedAsFromScratch)
+{
+  std::mt19937_64 random(64);
+  int tunnels = 0;
+  for (int i = 0; i < 40 && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("random mesh " + std::to_string(i));
+    const Tetrahedralization mesh = DrawTetrahedra(random);
+    const Stream stream = DrawOrder(mesh, random);
+    std::vector<int> order(stream.LastStep() + 1);
+    for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+    {
+      if (stream.Step[cell] != Stream::Never)
+      {
+        order[stream.Step[cell]] = cell;
+      }
+    }
+    LeftCells<3> cells(mesh, std::vector<CellState>(mesh.Cells.size(), CellState::Carvable));
+    GluedCells glued(mesh, cells);
+    for (int step = 1; step <= stream.LastStep(); ++step)
+    {
+      GluedRemoval removal = glued.Examine(order[step]);
+      if (random() % 2 == 0)
+      {
+        glued.JoinParts(order[step], removal);
+      }
+      glued.Carve(order[step], removal);
+      cells.States[order[step]] = CellState::Carved;
+      if (step % (1 + stream.LastStep() / 20) == 0)
+      {
+        glued.CountComponents();
+        EXPECT_EQ((std::array<int, 2>{ glued.GetComponents(), glued.GetTunnels() }),
+          CountGlued(mesh, stream, step))
+          << "step " << step;
+        tunnels += glued.GetTunnels();
+      }
+    }
+  }
+  EXPECT_GT(tunnels, 0);
+}
+
+// A tetrahedron that is watched is named when its neighbor goes, and once only.
+TEST(GluedCells, NameWhatHasChanged)
+{
+  std::mt19937_64 random(3);
+  const Tetrahedralization mesh = DrawTetrahedra(random);
+  LeftCells<3> cells(mesh, std::vector<CellState>(mesh.Cells.size(), CellState::Carvable));
+  GluedCells glued(mesh, cells);
+  const int cell =
+    static_cast<int>(std::find_if(mesh.Neighbors.begin(), mesh.Neighbors.end(),
+                       [](const auto& n) { return std::count(n.begin(), n.end(), Outside) == 1; }) -
+      mesh.Neighbors.begin());
+  const auto& neighbors = mesh.Neighbors[cell];
+  const int neighbor = *std::max_element(neighbors.begin(), neighbors.end());
+  glued.Watch(neighbor);
+  EXPECT_TRUE(glued.TakeChanged().empty());
+  glued.Carve(cell, glued.Examine(cell));
+  cells.States[cell] = CellState::Carved;
+  EXPECT_EQ(glued.TakeChanged(), std::vector<int>{ neighbor });
+  EXPECT_TRUE(glued.TakeChanged().empty());
+}

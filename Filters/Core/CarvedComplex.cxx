@@ -105,6 +105,7 @@ Removal<D> CarvedComplex<D>::Examine(int cell)
   int faces = 0;
   for (int f = 0; f <= D; ++f)
   {
+    this->Fetch(std::max(this->Cells.GetNeighbor(cell, f), 0)); // most turns begin there
     faceHeld[f] = this->IsFaceHeld(cell, f);
     faces += faceHeld[f];
   }

@@ -176,7 +176,11 @@ template <int D>
 const Candidate* Budget<D>::FindBest(int firstSlot, int lastSlot)
 {
   const Candidate* best = nullptr;
-  for (int slot = firstSlot; slot<lastSlot&& this->NumberAside> 0; ++slot)
+  if (this->NumberAside == 0)
+  {
+    return nullptr;
+  }
+  for (int slot = firstSlot; slot < lastSlot; ++slot)
   {
     const int amount =
       slot < GluedSlots ? slot % Amounts + 1 : (slot - GluedSlots) % GluedAmounts + 1;
@@ -222,8 +226,9 @@ std::vector<int> Budget<D>::TakeBackLast()
   }
   for (const int cell : this->Glued->TakeChanged())
   {
-    if (this->SlotOf[cell] >= GluedSlots && this->ComesBack(cell))
+    if (this->SlotOf[cell] >= GluedSlots)
     {
+      this->ComesBack(cell);
       cells.push_back(cell);
     }
   }

@@ -23,6 +23,13 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
   {
     texts.push_back("An attempt failed. " + line);
   }
+  if (reply.SnapDistance > 0.0)
+  {
+    std::ostringstream text;
+    text << "The mesh was snapped: no point was moved farther than " << reply.SnapDistance
+         << ". Levels enclose what came of it.";
+    texts.push_back(text.str());
+  }
   const carving::Tetrahedralization& result = reply.Result;
   if (!result.Kept.empty())
   {
@@ -78,9 +85,14 @@ void AddSettings(
   {
     AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
   }
+  if (reply.SnapDistance > 0.0)
+  {
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, reply.SnapDistance);
+  }
   AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
   AddFieldValue<vtkIntArray>(fieldData, "Conformity", static_cast<int>(settings.Conformity));
   AddFieldValue<vtkDoubleArray>(fieldData, "EnclosingTolerance", settings.EnclosingTolerance);
+  AddFieldValue<vtkDoubleArray>(fieldData, "SnapTolerance", settings.SnapTolerance);
   AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
   AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
   AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);

@@ -76,7 +76,8 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
   AddFieldValue<vtkIdTypeArray>(fieldData, "NewVertices", newVertices);
   AddFieldValue<vtkIdTypeArray>(fieldData, "Triangles", numberOfFaces);
   AddFieldValue<vtkStringArray>(fieldData, "Kind", kind);
-  for (const char* name : { StreamArrays::Rung, StreamArrays::KeptDistance })
+  for (const char* name :
+    { StreamArrays::Rung, StreamArrays::KeptDistance, StreamArrays::SnapDistance })
   {
     if (vtkAbstractArray* array = grid->GetFieldData()->GetAbstractArray(name))
     {
@@ -104,6 +105,9 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   points->SetNumberOfPoints(numberOfPoints);
   vtkNew<vtkIdList> pointIds;
   pointIds->SetNumberOfIds(numberOfPoints);
+  vtkDataArray* moved = grid->GetFieldData()->HasArray(StreamArrays::SnapDistance)
+    ? grid->GetPointData()->GetArray(StreamArrays::SnapDistance)
+    : nullptr;
   int newVertices = 0;
   for (vtkIdType i = 0; i < numberOfPoints; ++i)
   {
@@ -112,7 +116,8 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
     pointIds->SetId(i, point);
     // Copies of a point that cutting made lie side by side and count once.
     const bool first = i == 0 || cut.Points[i - 1] != point;
-    newVertices += first && stream.Mesh.Surface.PointSources[point] < 0;
+    newVertices += first &&
+      (stream.Mesh.Surface.PointSources[point] < 0 || (moved && moved->GetTuple1(point) > 0.0));
   }
 
   const vtkIdType numberOfFaces = static_cast<vtkIdType>(cut.Faces.size());

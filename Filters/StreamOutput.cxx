@@ -12,6 +12,7 @@
 #include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -21,6 +22,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -121,9 +123,11 @@ void FillPoints(
   coordinates->SetDataTypeToDouble();
   coordinates->SetNumberOfPoints(count);
   auto ids = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
+  auto distances = MakeArray<vtkDoubleArray>(StreamArrays::SnapDistance, count);
+  distances->Fill(0.0);
   vtkPointData* pointData = output->GetPointData();
   pointData->InterpolateAllocate(input->GetPointData(), count);
-  bool anyNew = false;
+  bool anyNew = false, anyMoved = false;
   for (vtkIdType i = 0; i < count; ++i)
   {
     const int source = points.PointSources[i];
@@ -132,6 +136,11 @@ void FillPoints(
     if (source >= 0)
     {
       pointData->CopyData(input->GetPointData(), source, i);
+      carving::Point from;
+      input->GetPoint(source, from.data());
+      distances->SetValue(
+        i, std::sqrt(vtkMath::Distance2BetweenPoints(points.Points[i].data(), from.data())));
+      anyMoved = anyMoved || points.Points[i] != from;
     }
     anyNew = anyNew || source < 0;
   }
@@ -143,6 +152,10 @@ void FillPoints(
     input->GetPointData(), count, [&](vtkIdType i) { return points.PointSources[i]; }, pointData);
   output->SetPoints(coordinates);
   pointData->AddArray(ids);
+  if (anyMoved && D == 3) // contours are put back into their own plane
+  {
+    pointData->AddArray(distances);
+  }
 }
 
 /** The cells of the complement, then the facets of M. */

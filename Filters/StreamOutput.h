@@ -32,6 +32,7 @@ constexpr const char* Measure = "PriorityMeasure";
 constexpr const char* BothFoldSides = "KeepBothFoldSides";
 constexpr const char* Rung = "Rung";
 constexpr const char* KeptDistance = "KeptDistance";
+constexpr const char* SnapDistance = "SnapDistance"; ///< of the mesh and, per point, its own
 constexpr const char* ProfileVertices = "ProfileVertices";
 constexpr const char* ProfileTriangles = "ProfileTriangles";
 constexpr const char* ProfileError = "ProfileError"; ///< only if it has been computed

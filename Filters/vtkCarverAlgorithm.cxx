@@ -127,6 +127,7 @@ int vtkCarverAlgorithm::RequestData(
   settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
   settings.Conformity = static_cast<carving::Conformity>(this->Conformity);
   settings.EnclosingTolerance = this->EnclosingTolerance;
+  settings.SnapTolerance = this->SnapTolerance;
   settings.AppendInput = this->AppendInput;
   settings.TimeLimit = this->TimeLimit;
   settings.MemoryLimit = this->MemoryLimit;
@@ -199,6 +200,7 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
   os << indent << "Conformity: " << conformities[this->Conformity] << "\n";
   os << indent << "EnclosingTolerance: " << this->EnclosingTolerance << "\n";
+  os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
   os << indent << "AppendInput: " << (this->AppendInput ? "On" : "Off") << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";

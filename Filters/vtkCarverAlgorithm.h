@@ -207,6 +207,8 @@ public:
    * - AUTO (default): EXACT; where that fails, takes too long or M crosses itself in so many places that
    *   resolving it would multiply it, ENCLOSING.
    *
+   * Where EXACT or AUTO would fail otherwise, SnapTolerance lets points be moved.
+   *
    * The field data's `Rung` says what it came to, and notes on port 0 why.
    */
   vtkSetClampMacro(Conformity, int, EXACT, AUTO);
@@ -223,6 +225,21 @@ public:
    */
   vtkSetClampMacro(EnclosingTolerance, double, 0.0, 1.0);
   vtkGetMacro(EnclosingTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far points of the mesh may be moved where TetGen does not cope with it as it is, as a share of the
+   * diagonal of its bounding box: points are rounded to a grid, so that what nearly touches touches or
+   * vanishes, and resolved again, and TetGen is tried once more. That comes after all else in EXACT and
+   * before the mesh is only enclosed in AUTO; it is of no effect in ENCLOSING, on a CUSTOM initial
+   * approximation and on contours. M is then the snapped mesh: it is what levels enclose, and what the last
+   * is. The field data's `SnapDistance` says how far points have been moved. Of a mesh with much detail
+   * that is smaller than the tolerance, only a finer grid can be used, or none. Default 0, range 0 to 1:
+   * no point is ever moved. 1e-6 is worth a try.
+   */
+  vtkSetClampMacro(SnapTolerance, double, 0.0, 1.0);
+  vtkGetMacro(SnapTolerance, double);
   ///@}
 
   ///@{
@@ -371,6 +388,7 @@ protected:
   int SolidRule = NONZERO_WINDING;
   int Conformity = AUTO;
   double EnclosingTolerance = 0.02;
+  double SnapTolerance = 0.0;
   bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;

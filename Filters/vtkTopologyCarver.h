@@ -30,13 +30,15 @@
  *   tetrahedron behind the face, NaN and 0 for a face of M; `vtkOriginalCellIds`, the input cell,
  *   -1 for a carved face; the input's cell data, 0 on carved faces.
  * - points: the input's point data, exact on input points, on new points interpolated at the
- *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point.
+ *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point; of a snapped mesh
+ *   `SnapDistance`, by how much the point was moved, which makes it one of `NewVertices` if not 0.
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
  *   "input" for the level that AppendInput appends), `Rung` (how the
  *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcM" where vertices
- *   were added on its triangles, "Delaunay, enclosing"),
+ *   were added on its triangles, "TetGen -pcY, snapped" where its points were moved, "Delaunay, enclosing"),
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
- *   from it, to 5 %), `FeatureSize` (the smallest priority popped up to this step, a length;
+ *   from it, to 5 %), `SnapDistance` (only of a mesh that has been snapped, see SnapTolerance: the farthest
+ *   that a point was moved by, a length), `FeatureSize` (the smallest priority popped up to this step, a length;
  *   infinite for C0); `Components`, `Genus` and `Voids` of the closed complex K_i, and
  *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input"; `Error`, how
  *   far it is from M at most, NaN where that has not been asked for (see ComputeError).

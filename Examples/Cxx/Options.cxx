@@ -148,6 +148,11 @@ PROPERTY OPTIONS
         a share of the mesh's diagonal; vertices are added until it holds. 0: none
         are. Default: 0.02.
 
+    --snap-tolerance X
+        How far points may be moved where the mesh cannot be met as it is, as a share
+        of the mesh's diagonal, so that what nearly touches touches. The mesh is then
+        what comes of that. 0: none is. Default: 0. Worth a try: 1e-6.
+
     --append-input on|off
         Whether a mesh that is only enclosed follows as a last level. Default: off.
 
@@ -312,6 +317,7 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
     : name == "conformity" ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
     : name == "enclosing-tolerance"  ? ParseShare(name, text, options.EnclosingTolerance)
+    : name == "snap-tolerance"       ? ParseShare(name, text, options.SnapTolerance)
     : name == "append-input"         ? ParseSwitch(name, text, options.AppendInput)
     : name == "time-limit"           ? ParseNotNegative(name, text, options.TimeLimit)
     : name == "memory-limit"         ? ParseNotNegative(name, text, options.MemoryLimit)
@@ -364,6 +370,7 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "solid-rule", required_argument, nullptr, 'p' },
     { "conformity", required_argument, nullptr, 'p' },
     { "enclosing-tolerance", required_argument, nullptr, 'p' },
+    { "snap-tolerance", required_argument, nullptr, 'p' },
     { "append-input", required_argument, nullptr, 'p' },
     { "time-limit", required_argument, nullptr, 'p' },
     { "memory-limit", required_argument, nullptr, 'p' },

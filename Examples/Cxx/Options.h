@@ -44,6 +44,7 @@ struct Options
   int SolidRule = 0;
   int Conformity = 2;
   double EnclosingTolerance = 0.02;
+  double SnapTolerance = 0.0;
   bool AppendInput = false;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;

@@ -174,6 +174,7 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   carver->SetSolidRule(options.SolidRule);
   carver->SetConformity(options.Conformity);
   carver->SetEnclosingTolerance(options.EnclosingTolerance);
+  carver->SetSnapTolerance(options.SnapTolerance);
   carver->SetAppendInput(options.AppendInput);
   carver->SetTimeLimit(options.TimeLimit);
   carver->SetMemoryLimit(options.MemoryLimit);

@@ -16,8 +16,8 @@ namespace
 {
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '5' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '4' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '6' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '5' };
 
 class Writer
 {
@@ -124,6 +124,7 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Initial);
   archive.Value(job.Conformity);
   archive.Value(job.EnclosingTolerance);
+  archive.Value(job.SnapTolerance);
   archive.Value(job.TimeLimit);
   archive.Value(job.MemoryLimit);
   archive.Array(job.Mesh.Points);
@@ -169,6 +170,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Attempts);
   archive.Value(reply.KeptDistance);
   archive.Value(reply.PointsAdded);
+  archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
 }

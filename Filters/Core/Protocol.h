@@ -55,13 +55,16 @@ struct HelperOptions
   carving::Conformity Conformity = carving::Conformity::Exact;
   /** How far what is kept may reach from M, a share of the diagonal of M's bounds; 0: any distance. */
   double EnclosingTolerance = 0.02;
+  /** How far points may be moved where nothing else is exact, a share of the same; 0: not at all. */
+  double SnapTolerance = 0.0;
   double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
 
   bool operator==(const HelperOptions& other) const
   {
     return this->Initial == other.Initial && this->Conformity == other.Conformity &&
-      this->EnclosingTolerance == other.EnclosingTolerance && this->TimeLimit == other.TimeLimit &&
+      this->EnclosingTolerance == other.EnclosingTolerance &&
+      this->SnapTolerance == other.SnapTolerance && this->TimeLimit == other.TimeLimit &&
       this->MemoryLimit == other.MemoryLimit;
   }
 };
@@ -95,6 +98,7 @@ struct Reply
   std::string Attempts;      ///< what was tried before, and why it failed, a line each
   double KeptDistance = 0.0; ///< in enclosing mode: how far what is kept reaches from M, to 5 %
   int PointsAdded = 0;       ///< for that
+  double SnapDistance = 0.0; ///< how far a point of M has been moved at most, by snapping
   /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */

@@ -6,12 +6,14 @@
 #include "Enclose.h"
 #include "InitialSurface.h"
 #include "Resolve.h"
+#include "Shuffle.h"
+#include "Snap.h"
 #include "Tetrahedralize.h"
+#include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
+#include <sstream>
 #include <tuple>
 
 using namespace carving;
@@ -21,6 +23,9 @@ namespace
 
 constexpr int NumberOfOrders = 6;
 constexpr int NumberOfSplitOrders = 2;
+constexpr int NumberOfSnappedOrders = 3;
+constexpr int NumberOfGrids = 3;
+constexpr double FinerGrid = 8.0; ///< each to the next
 /** Auto does not resolve where there are so many crossings for a triangle. */
 constexpr double TooManyCrossings = 2.0;
 
@@ -45,6 +50,12 @@ double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
                                             : 0.0;
 }
 
+double MaximumPairs(const Job& job, std::size_t numberOfFacets)
+{
+  return job.Conformity == Conformity::Auto ? TooManyCrossings * static_cast<double>(numberOfFacets)
+                                            : HUGE_VAL;
+}
+
 /** Resolves M and C0 together, so that they meet in common vertices and edges only. */
 std::string AddInitial(const Job& job, ResolvedMesh& surface)
 {
@@ -57,55 +68,6 @@ std::string AddInitial(const Job& job, ResolvedMesh& surface)
   surface = Clean(surface);
   int pairs = 0; // of M with C0: not the input's
   return Resolve(surface, pairs, {});
-}
-
-std::vector<int> Order(std::size_t size, int seed)
-{
-  std::vector<int> order(size);
-  std::iota(order.begin(), order.end(), 0);
-  if (seed > 0)
-  {
-    std::mt19937 random(seed);
-    for (std::size_t i = size; i > 1; --i) // std::shuffle differs from library to library
-    {
-      std::swap(order[i - 1], order[random() % i]);
-    }
-  }
-  return order;
-}
-
-template <class Value>
-std::vector<Value> InOrder(const std::vector<int>& order, const std::vector<Value>& values)
-{
-  std::vector<Value> result;
-  result.reserve(values.size());
-  for (const int i : order)
-  {
-    result.push_back(values[i]);
-  }
-  return result;
-}
-
-/** Puts the points and the facets in the order of a seed, 0 for their own. */
-void Shuffle(int seed, ResolvedMesh& surface)
-{
-  const std::vector<int> points = Order(surface.Points.size(), seed),
-                         facets = Order(surface.Facets.size(), seed);
-  std::vector<int> places(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    places[points[i]] = static_cast<int>(i);
-  }
-  for (Triangle& t : surface.Facets)
-  {
-    t = { places[t[0]], places[t[1]], places[t[2]] };
-  }
-  surface.Points = InOrder(points, surface.Points);
-  surface.PointSources = InOrder(points, surface.PointSources);
-  surface.Facets = InOrder(facets, surface.Facets);
-  surface.FacetSources = InOrder(facets, surface.FacetSources);
-  surface.Windings = InOrder(facets, surface.Windings);
-  surface.Counts = InOrder(facets, surface.Counts);
 }
 
 std::vector<Point> FurtherPoints(const Job& job, const std::vector<Point>& points)
@@ -150,14 +112,35 @@ bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& repl
   return HandOver(reply, host, messages);
 }
 
+/** Tries orders until one succeeds. */
+bool TryOrders(const std::string& rung, int orders, SurfacePoints surfacePoints, const Job& job,
+  Reply& reply, const LadderHost& host, Messages& messages)
+{
+  const Limits limits = { PatienceOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size()),
+    job.MemoryLimit };
+  for (int order = 0; order < orders; ++order)
+  {
+    reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
+    const std::string end =
+      RunApart(limits, [&] { return Attempt(order, surfacePoints, job, reply, host, messages); });
+    if (end.empty())
+    {
+      return true;
+    }
+    if (end != "failed") // which has said why
+    {
+      messages.Add(reply.Rung + ": TetGen " + end);
+    }
+  }
+  return false;
+}
+
 /** Resolves and tries all orders; in a process of its own too, so that its time can be limited. */
 bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
   host.Begin(Stage::Resolve);
-  const double maximumPairs = job.Conformity == Conformity::Auto
-    ? TooManyCrossings * static_cast<double>(reply.Result.Surface.Facets.size())
-    : HUGE_VAL;
-  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report, maximumPairs);
+  reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report,
+    MaximumPairs(job, reply.Result.Surface.Facets.size()));
   if (!reply.Error.empty())
   {
     messages.Add("Resolving: " + reply.Error);
@@ -174,28 +157,57 @@ bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& 
   }
   host.End();
   host.Begin(Stage::Tetrahedralize);
-  for (const auto& [rung, orders, surfacePoints] :
-    { std::tuple("TetGen -pcY", NumberOfOrders, SurfacePoints::None),
-      std::tuple("TetGen -pcM", NumberOfSplitOrders, SurfacePoints::Allowed) })
+  return TryOrders(
+           "TetGen -pcY", NumberOfOrders, SurfacePoints::None, job, reply, host, messages) ||
+    TryOrders(
+      "TetGen -pcM", NumberOfSplitOrders, SurfacePoints::Allowed, job, reply, host, messages);
+}
+
+/** What is wrong with a snapped mesh, or an empty string. */
+std::string CheckSnapped(const Job& job, const SnappedMesh& snapped, double tolerance)
+{
+  if (snapped.Distance > tolerance)
   {
-    const Limits limits = {
-      PatienceOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size()), job.MemoryLimit
-    };
-    for (int order = 0; order < orders; ++order)
+    return "points move farther than SnapTolerance";
+  }
+  return snapped.Distance == 0.0
+    ? "no point moves"
+    : CheckVolume(snapped.Mesh, FurtherPoints(job, snapped.Mesh.Points));
+}
+
+/** Tries orders of M with its points moved, on ever finer grids. */
+bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+{
+  const ResolvedMesh given = std::move(reply.Result.Surface);
+  Point lower, upper;
+  GetBounds(given.Points, lower, upper);
+  const double tolerance = job.SnapTolerance * Length(upper - lower);
+  double spacing = GridSpacing(tolerance);
+  for (int grid = 0; grid < NumberOfGrids; ++grid, spacing /= FinerGrid)
+  {
+    host.Begin(Stage::Resolve);
+    SnappedMesh snapped;
+    std::string mistake =
+      Snap(given, spacing, host.Report, MaximumPairs(job, given.Facets.size()), snapped);
+    host.End();
+    mistake = mistake.empty() ? CheckSnapped(job, snapped, tolerance) : mistake;
+    if (!mistake.empty())
     {
-      reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
-      const std::string end = RunApart(limits,
-        [&, order = order, surfacePoints = surfacePoints]
-        { return Attempt(order, surfacePoints, job, reply, host, messages); });
-      if (end.empty())
-      {
-        return true;
-      }
-      if (end != "failed") // which has said why
-      {
-        messages.Add(reply.Rung + ": TetGen " + end);
-      }
+      std::ostringstream text;
+      text << "Snapping: on a grid of " << spacing << ", " << mistake;
+      messages.Add(text.str());
+      continue;
     }
+    reply.Result.Surface = std::move(snapped.Mesh);
+    reply.IntersectingPairs = snapped.IntersectingPairs;
+    reply.SnapDistance = snapped.Distance;
+    host.Begin(Stage::Tetrahedralize);
+    if (TryOrders("TetGen -pcY, snapped", NumberOfSnappedOrders, SurfacePoints::None, job, reply,
+          host, messages))
+    {
+      return true;
+    }
+    host.End();
   }
   return false;
 }
@@ -238,18 +250,25 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
   }
   Messages messages;
   const std::size_t numberOfFacets = reply.Result.Surface.Facets.size();
-  if (job.Conformity != Conformity::Enclosing)
+  for (const auto& [climb, name, wanted] :
+    { std::tuple(&ClimbExact, "Resolving and tetrahedralizing: ", true),
+      std::tuple(&ClimbSnapped,
+        "Snapping: ", job.SnapTolerance > 0.0 && job.Initial != InitialApproximation::Custom) })
   {
+    if (!wanted || job.Conformity == Conformity::Enclosing)
+    {
+      continue;
+    }
     const Limits limits = { PatienceOfExact(job, numberOfFacets), job.MemoryLimit };
     const std::string end =
-      RunApart(limits, [&] { return ClimbExact(job, reply, host, messages); });
+      RunApart(limits, [&, climb = climb] { return (*climb)(job, reply, host, messages); });
     if (end.empty())
     {
       return true;
     }
     if (end != "failed")
     {
-      messages.Add("Resolving and tetrahedralizing: " + end);
+      messages.Add(name + end);
     }
   }
   reply.Attempts = messages.Get();
@@ -272,8 +291,8 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
   if (reply.Error.empty())
   {
     reply.Error = "TetGen does not cope with the mesh. Repair or leave out the parts that cross "
-                  "themselves or nearly touch, let Conformity be AUTO, or raise TimeLimit or "
-                  "MemoryLimit if they are set. What was tried: " +
+                  "themselves or nearly touch, let Conformity be AUTO, set SnapTolerance, or raise "
+                  "TimeLimit or MemoryLimit if they are set. What was tried: " +
       Joined(reply.Attempts);
   }
   return false;

@@ -25,8 +25,9 @@ struct LadderHost
  * rungs, each in a process of its own:
  * 1. TetGen with M as it is, if need be with its points and triangles in other orders, which is all that
  *    many failures take;
- * 2. unless the job's conformity is Exact, the Delaunay tetrahedralization that cannot fail.
- * Enclosing starts with 2; so does Auto where crossings are so many that resolving would multiply M.
+ * 2. where the job has a SnapTolerance and C0 is not given, TetGen with M's points rounded to a grid;
+ * 3. unless the job's conformity is Exact, the Delaunay tetrahedralization that cannot fail.
+ * Enclosing starts with 3; so does Auto where crossings are so many that resolving would multiply M.
  * Returns false with `reply.Error` if all rungs have failed; the caller writes that.
  */
 bool ClimbLadder(const carving::Job& job, carving::Reply& reply, const LadderHost& host);

@@ -121,6 +121,20 @@ TriangleMesh BoxSoup(int n, std::mt19937_64& random)
   return mesh;
 }
 
+TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> off(-noise, noise);
+  TriangleMesh other = mesh;
+  for (Point& p : other.Points)
+  {
+    for (double& coordinate : p)
+    {
+      coordinate += off(random);
+    }
+  }
+  return Joined(mesh, other);
+}
+
 RandomModel MakeRandom(std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> unit;

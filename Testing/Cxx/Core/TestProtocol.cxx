@@ -20,6 +20,7 @@ Reply MakeReply()
   Reply reply;
   reply.Result = small::NestedTetrahedra(small::InnerFaces());
   reply.IntersectingPairs = 7;
+  reply.SnapDistance = 0.125;
   reply.StageSeconds = { 0.25, 0.5, 1.0 };
   return reply;
 }
@@ -45,11 +46,13 @@ TEST(Protocol, RestoresAJob)
 {
   Job job;
   job.Kind = JobKind::CountIntersections;
+  job.SnapTolerance = 0.5;
   job.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
   const std::string bytes = Written(job);
   Job restored;
   ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
   EXPECT_EQ(restored.Kind, job.Kind);
+  EXPECT_EQ(restored.SnapTolerance, job.SnapTolerance);
   EXPECT_EQ(restored.Mesh.Points, job.Mesh.Points);
   EXPECT_EQ(restored.Mesh.Triangles, job.Mesh.Triangles);
 }
@@ -65,6 +68,7 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.Result.Constraints, reply.Result.Constraints);
   EXPECT_EQ(restored.Result.Surface.Points, reply.Result.Surface.Points);
   EXPECT_EQ(restored.IntersectingPairs, 7);
+  EXPECT_EQ(restored.SnapDistance, 0.125);
   EXPECT_EQ(restored.StageSeconds, reply.StageSeconds);
 }
 

@@ -8,8 +8,10 @@
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -81,6 +83,54 @@ TEST(Conformity, EnclosingKeepsVerticesAndStreams)
     extract->Update();
     EXPECT_EQ(GetTriangles(extract->GetOutput()), GetTriangles(level));
   }
+}
+
+// Vertices that have been moved keep their ids, are new, and say how far they have been moved; so they do
+// on levels that come from the stored stream.
+TEST(Conformity, SnappedVerticesAreSaidToBeNew)
+{
+  std::mt19937_64 random(1);
+  auto input = ToPolyData(models::Doubled(models::Sphere(1), 1e-13, random));
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetConformity(vtkTopologyCarver::EXACT);
+  {
+    Messages messages(carver);
+    carver->Update();
+    EXPECT_EQ(messages.Errors.size(), 1u); // so do the properties run the helper program again
+  }
+  carver->SetSnapTolerance(1e-6);
+  carver->Update();
+  const int last = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1;
+  ASSERT_GE(last, 0);
+  vtkPolyData* level = GetLevel(carver, last);
+  EXPECT_EQ(GetText(level, "Rung").find("TetGen -pcY, snapped"), 0u);
+  const double farthest = level->GetFieldData()->GetArray("SnapDistance")->GetTuple1(0);
+  EXPECT_GT(farthest, 0.0);
+  int moved = 0;
+  for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+  {
+    const auto id =
+      static_cast<vtkIdType>(level->GetPointData()->GetArray("vtkOriginalPointIds")->GetTuple1(i));
+    ASSERT_GE(id, 0);
+    double from[3], to[3];
+    input->GetPoint(id, from);
+    level->GetPoint(i, to);
+    const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
+    EXPECT_EQ(level->GetPointData()->GetArray("SnapDistance")->GetTuple1(i), distance);
+    EXPECT_LE(distance, farthest);
+    moved += distance > 0.0;
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(moved, level->GetNumberOfPoints()); // those at 0 and 1 are on any grid
+  EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), moved);
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputDataObject(0, carver->GetOutputDataObject(1));
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  extract->SetLevelTarget(GetLevelStep(carver, last));
+  extract->Update();
+  EXPECT_EQ(extract->GetOutput()->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), moved);
+  EXPECT_EQ(extract->GetOutput()->GetFieldData()->GetArray("SnapDistance")->GetTuple1(0), farthest);
 }
 
 // The input follows as given, with its data, where it is enclosed only and that is wished for.

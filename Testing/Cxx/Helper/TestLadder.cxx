@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace carving;
@@ -39,6 +40,13 @@ TriangleMesh RefusedAnyway()
   return models::Soup(140, random);
 }
 constexpr double Patience = 0.5;
+
+/** So near to itself that rounding crossings to doubles makes others, again and again. */
+TriangleMesh RefusedUnlessSnapped()
+{
+  std::mt19937_64 random(1);
+  return models::Doubled(models::Sphere(1), 1e-13, random);
+}
 
 } // namespace
 
@@ -102,6 +110,71 @@ TEST(Ladder, EndsInEnclosingWhereTetGenFails)
   ASSERT_TRUE(any.Succeeded()) << any.Reply.Error;
   EXPECT_EQ(any.Reply.Rung, "Delaunay, enclosing");
   EXPECT_NE(any.Reply.Attempts, "");
+}
+
+// What it refuses in any other way has its points moved, by no more than is allowed, and is met then.
+TEST(Ladder, SnapsWhereItMay)
+{
+  EXPECT_FALSE(RunWith(RefusedUnlessSnapped(), Conformity::Exact).Succeeded());
+  Job job;
+  job.Mesh = RefusedUnlessSnapped();
+  for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
+  {
+    job.Conformity = conformity;
+    job.SnapTolerance = 1e-6;
+    const HelperRun run = RunHelper(job);
+    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    EXPECT_EQ(run.Reply.Rung.find("TetGen -pcY, snapped"), 0u) << run.Reply.Rung;
+    EXPECT_NE(run.Reply.Attempts, "");
+    EXPECT_TRUE(run.Reply.Result.Kept.empty());
+    EXPECT_GT(run.Reply.SnapDistance, 0.0);
+    const double diagonal =
+      std::sqrt(12.0) * (1.0 + 1e-12); // at most: of the cube around the sphere
+    EXPECT_LE(run.Reply.SnapDistance, job.SnapTolerance * diagonal);
+    const ResolvedMesh& surface = run.Reply.Result.Surface;
+    const TriangleMesh sphere = models::Sphere(1);
+    EXPECT_EQ(surface.Facets.size(), sphere.Triangles.size()); // two have become one
+    for (std::size_t i = 0; i < surface.Points.size(); ++i)
+    {
+      ASSERT_GE(surface.PointSources[i], 0);
+      EXPECT_LE(Length(surface.Points[i] - job.Mesh.Points[surface.PointSources[i]]),
+        run.Reply.SnapDistance);
+    }
+  }
+}
+
+// What comes out without is the same whether points may be moved or not.
+TEST(Ladder, MovesNothingWithoutNeed)
+{
+  std::mt19937_64 random(3);
+  for (const TriangleMesh& mesh : { models::Sphere(2), models::Soup(12, random) })
+  {
+    Job job;
+    job.Mesh = mesh;
+    const HelperRun without = RunHelper(job);
+    job.SnapTolerance = 1e-3;
+    const HelperRun with = RunHelper(job);
+    ASSERT_TRUE(without.Succeeded() && with.Succeeded());
+    EXPECT_EQ(with.Reply.Rung, without.Reply.Rung);
+    EXPECT_EQ(with.Reply.SnapDistance, 0.0);
+    EXPECT_EQ(with.Reply.Result.Surface.Points, without.Reply.Result.Surface.Points);
+    EXPECT_EQ(with.Reply.Result.Cells, without.Reply.Result.Cells);
+  }
+}
+
+// Where snapping is of no help either, why is said, and what does without comes next.
+TEST(Ladder, GoesOnWhereSnappingFails)
+{
+  Job job;
+  job.Mesh = RefusedUnlessSnapped();
+  job.SnapTolerance = 1e-30; // no double near 1 is so near to another
+  job.Conformity = Conformity::Auto;
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  EXPECT_EQ(run.Reply.Rung, "Delaunay, enclosing");
+  EXPECT_EQ(run.Reply.SnapDistance, 0.0);
+  EXPECT_NE(run.Reply.Attempts.find("Snapping: on a grid of"), std::string::npos)
+    << run.Reply.Attempts;
 }
 
 // A tetrahedralization some of whose cells overlap is none, and the next order is tried. (These boxes make

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "Clean.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+#include "Snap.h"
+#include "Vector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+constexpr double Spacing = 1.0 / 1024.0;
+
+bool OnGrid(const Point& p)
+{
+  return std::all_of(p.begin(), p.end(),
+    [](double coordinate) { return coordinate / Spacing == std::floor(coordinate / Spacing); });
+}
+
+/** The farthest that a point of the mesh is from where its source has been given. */
+double FarthestMove(const TriangleMesh& given, const ResolvedMesh& mesh)
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    if (mesh.PointSources[i] >= 0)
+    {
+      farthest = std::max(farthest, Length(mesh.Points[i] - given.Points[mesh.PointSources[i]]));
+    }
+  }
+  return farthest;
+}
+
+} // namespace
+
+// On its grid no point moves farther than the tolerance, on one of twice the spacing some could.
+TEST(Snap, UsesTheWidestGridForATolerance)
+{
+  for (const double tolerance : { 1e-9, 0.3, 1.0, 866.1 })
+  {
+    const double spacing = GridSpacing(tolerance);
+    int exponent = 0;
+    EXPECT_EQ(std::frexp(spacing, &exponent), 0.5); // a power of two
+    EXPECT_LE(spacing * std::sqrt(3.0) / 2.0, tolerance);
+    EXPECT_GT(2.0 * spacing * std::sqrt(3.0) / 2.0, tolerance);
+  }
+}
+
+// Whatever crosses is resolved, all points are on the grid, and the distance counts every point's move.
+TEST(Snap, ResolvesRandomMeshesOnTheGrid)
+{
+  std::mt19937_64 random(1);
+  int movedMeshes = 0;
+  for (int i = 0; i < 40; ++i)
+  {
+    const TriangleMesh given =
+      i % 2 == 0 ? models::Soup(4 + i / 4, random) : models::MakeRandom(random).Mesh;
+    SnappedMesh snapped;
+    if (!Snap(Clean(AsResolved(given)), Spacing, {}, HUGE_VAL, snapped).empty())
+    {
+      continue; // the grid is too coarse
+    }
+    movedMeshes += snapped.Distance > 0.0;
+    const ResolvedMesh& mesh = snapped.Mesh;
+    EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Facets), 0);
+    EXPECT_TRUE(std::all_of(mesh.Points.begin(), mesh.Points.end(), OnGrid));
+    EXPECT_GE(snapped.Distance, FarthestMove(given, mesh));
+    EXPECT_LT(snapped.Distance, 3.0 * Spacing);
+  }
+  EXPECT_GT(movedMeshes, 20);
+}
+
+// A point in the middle of a cube of the grid moves by half its diagonal; one on the grid stays.
+TEST(Snap, MovesPointsToTheNearestOfTheGrid)
+{
+  TriangleMesh given = models::Tetrahedron();
+  for (Point& p : given.Points)
+  {
+    for (double& coordinate : p)
+    {
+      coordinate = std::round(coordinate);
+    }
+  }
+  SnappedMesh snapped;
+  ASSERT_EQ(Snap(Clean(AsResolved(given)), Spacing, {}, HUGE_VAL, snapped), "");
+  EXPECT_EQ(snapped.Distance, 0.0);
+  EXPECT_EQ(snapped.Mesh.Points, given.Points);
+  for (double& coordinate : given.Points[0])
+  {
+    coordinate += Spacing / 2.0;
+  }
+  ASSERT_EQ(Snap(Clean(AsResolved(given)), Spacing, {}, HUGE_VAL, snapped), "");
+  EXPECT_DOUBLE_EQ(snapped.Distance, Spacing * std::sqrt(3.0) / 2.0);
+}
+
+// Two surfaces that differ by less than the grid become one, whose triangles count twice.
+TEST(Snap, MergesWhatNearlyCoincides)
+{
+  TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const TriangleMesh given = models::Joined(box, models::Moved(box, { 1e-9, 2e-9, -1e-9 }));
+  SnappedMesh snapped;
+  ASSERT_EQ(Snap(Clean(AsResolved(given)), Spacing, {}, HUGE_VAL, snapped), "");
+  EXPECT_EQ(snapped.Mesh.Facets, Clean(AsResolved(box)).Facets);
+  EXPECT_EQ(snapped.Mesh.Counts, std::vector<int>(12, 2));
+  EXPECT_EQ(snapped.Mesh.Windings, std::vector<int>(12, 2));
+  EXPECT_EQ(snapped.IntersectingPairs, 0);
+}
+
+// With too many intersections nothing is resolved, and why is said.
+TEST(Snap, EndsWhereThereIsTooMuchToResolve)
+{
+  std::mt19937_64 random(2);
+  SnappedMesh snapped;
+  const std::string mistake =
+    Snap(Clean(AsResolved(models::Soup(30, random))), Spacing, {}, 1.0, snapped);
+  EXPECT_NE(mistake.find("pairs of triangles"), std::string::npos) << mistake;
+}

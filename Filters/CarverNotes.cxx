@@ -23,6 +23,11 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
   {
     texts.push_back("An attempt failed. " + line);
   }
+  if (reply.InteriorDropped > 0)
+  {
+    texts.push_back("Inside the solid " + std::to_string(reply.InteriorDropped) +
+      " triangles were left out, which no level would show.");
+  }
   if (reply.SnapDistance > 0.0)
   {
     std::ostringstream text;

@@ -34,6 +34,7 @@ struct CarverSession<D>::Leaf
 {
   vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
   carving::HelperOptions Options;
+  carving::SolidRule Solid = carving::SolidRule::NonzeroWinding; ///< as the helper was told
   vtkMTimeType InitialTime = 0; ///< of the given initial approximation
   typename Kind<D>::Input Input;
   typename Kind<D>::Input Initial;
@@ -146,7 +147,8 @@ std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtk
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
     if (leaf->Time == input->GetMTime() && leaf->InitialTime == initialTime &&
-      leaf->Options == this->Settings)
+      leaf->Options == this->Settings &&
+      (leaf->Solid == this->Settings.Solid || leaf->Reply.SolidMatters == 0))
     {
       return leaf;
     }
@@ -154,6 +156,7 @@ std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtk
   const auto leaf = std::make_shared<Leaf>();
   leaf->Time = input->GetMTime();
   leaf->Options = this->Settings;
+  leaf->Solid = this->Settings.Solid;
   leaf->InitialTime = initialTime;
   std::string error = leaf->Input.Gather(input);
   leaf->Empty = leaf->Input.IsEmpty();
@@ -185,6 +188,7 @@ bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
   const Timer timer(*this, TransferStage);
   carving::Job job;
   static_cast<carving::HelperOptions&>(job) = leaf.Options;
+  job.Solid = leaf.Solid;
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, leaf.Reply,

@@ -192,6 +192,8 @@ public:
    * - SURFACE_ONLY: none. Of a closed mesh the inside is carved too.
    *
    * For a mesh that is open or inconsistently oriented the first two may have to guess; a note says so.
+   * Where the first attempts at a tetrahedralization failed, what is solid matters for further ones: a
+   * change then runs the helper program again.
    */
   vtkSetClampMacro(SolidRule, int, NONZERO_WINDING, SURFACE_ONLY);
   vtkGetMacro(SolidRule, int);
@@ -200,7 +202,8 @@ public:
   ///@{
   /**
    * What is done with a mesh that TetGen does not cope with; of no effect on contours.
-   * - EXACT: TetGen is tried with up to six orders of the points and triangles, then with vertices added
+   * - EXACT: TetGen is tried with up to six orders of the points and triangles and, where M is closed,
+   *   without the triangles that have solid on both sides, which no level shows, then with vertices added
    *   on the triangles, up to 10 times M's own and 100,000; then it is an error. The last level is M.
    * - ENCLOSING: Delaunay, which never fails. Tetrahedra that M pierces are kept for good: levels enclose
    *   M and do not cross themselves, but the last only comes near M (see EnclosingTolerance).

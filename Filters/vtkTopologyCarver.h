@@ -34,7 +34,8 @@
  *   `SnapDistance`, by how much the point was moved, which makes it one of `NewVertices` if not 0.
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
  *   "input" for the level that AppendInput appends), `Rung` (how the
- *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcM" where vertices
+ *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcY, without
+ *   interior" where triangles inside the solid were left out, which the stream then lacks, "TetGen -pcM" where vertices
  *   were added on its triangles, "TetGen -pcY, snapped" where its points were moved, "Delaunay, enclosing"),
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
  *   from it, to 5 %), `SnapDistance` (only of a mesh that has been snapped, see SnapTolerance: the farthest

@@ -121,6 +121,7 @@ template <class Archive, class JobType>
 void VisitJob(Archive& archive, JobType& job)
 {
   archive.Value(job.Kind);
+  archive.Value(job.Solid);
   archive.Value(job.Initial);
   archive.Value(job.Conformity);
   archive.Value(job.EnclosingTolerance);
@@ -170,6 +171,8 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Attempts);
   archive.Value(reply.KeptDistance);
   archive.Value(reply.PointsAdded);
+  archive.Value(reply.InteriorDropped);
+  archive.Value(reply.SolidMatters);
   archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
@@ -215,6 +218,11 @@ std::string Read(const char* data, std::size_t size, Job& job)
     job.Conformity != Conformity::Auto)
   {
     return "the job wants an unknown conformity";
+  }
+  if (job.Solid != SolidRule::NonzeroWinding && job.Solid != SolidRule::EvenOdd &&
+    job.Solid != SolidRule::SurfaceOnly)
+  {
+    return "the job wants an unknown rule of what is solid";
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||

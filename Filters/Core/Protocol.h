@@ -10,6 +10,7 @@
 #ifndef carving_Protocol_h
 #define carving_Protocol_h
 
+#include "Classification.h"
 #include "Mesh.h"
 
 #include <iosfwd>
@@ -72,6 +73,8 @@ struct HelperOptions
 struct Job : HelperOptions
 {
   JobKind Kind = JobKind::Tetrahedralize;
+  /** Where TetGen does not cope with M, what has solid on both sides may be left out. */
+  SolidRule Solid = SolidRule::SurfaceOnly;
   TriangleMesh Mesh;
   TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
   ContourSet Contours;        ///< for JobKind::Triangulate
@@ -98,6 +101,8 @@ struct Reply
   std::string Attempts;      ///< what was tried before, and why it failed, a line each
   double KeptDistance = 0.0; ///< in enclosing mode: how far what is kept reaches from M, to 5 %
   int PointsAdded = 0;       ///< for that
+  int InteriorDropped = 0;   ///< triangles with solid on both sides that were left out
+  int SolidMatters = 0; ///< not 0: by another rule of what is solid it may come out differently
   double SnapDistance = 0.0; ///< how far a point of M has been moved at most, by snapping
   /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
   int IntersectingPairs = 0;

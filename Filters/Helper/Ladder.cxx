@@ -5,6 +5,7 @@
 #include "Clean.h"
 #include "Enclose.h"
 #include "InitialSurface.h"
+#include "Interior.h"
 #include "Resolve.h"
 #include "Shuffle.h"
 #include "Snap.h"
@@ -23,6 +24,7 @@ namespace
 
 constexpr int NumberOfOrders = 6;
 constexpr int NumberOfSplitOrders = 2;
+constexpr int NumberOfOrdersBeforeDropping = 2;
 constexpr int NumberOfSnappedOrders = 3;
 constexpr int NumberOfGrids = 3;
 constexpr double FinerGrid = 8.0; ///< each to the next
@@ -112,13 +114,13 @@ bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& repl
   return HandOver(reply, host, messages);
 }
 
-/** Tries orders until one succeeds. */
-bool TryOrders(const std::string& rung, int orders, SurfacePoints surfacePoints, const Job& job,
-  Reply& reply, const LadderHost& host, Messages& messages)
+/** Tries orders, from the first until one before the last succeeds. */
+bool TryOrders(const std::string& rung, int first, int last, SurfacePoints surfacePoints,
+  const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
   const Limits limits = { PatienceOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size()),
     job.MemoryLimit };
-  for (int order = 0; order < orders; ++order)
+  for (int order = first; order < last; ++order)
   {
     reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
     const std::string end =
@@ -132,6 +134,27 @@ bool TryOrders(const std::string& rung, int orders, SurfacePoints surfacePoints,
       messages.Add(reply.Rung + ": TetGen " + end);
     }
   }
+  return false;
+}
+
+/** Tries all orders of what bounds the solid; leaves M as it was where that does not help. */
+bool TryWithoutInterior(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+{
+  reply.SolidMatters = 1;
+  if (job.Initial == InitialApproximation::Custom) // whose triangles are no boundary of a solid
+  {
+    return false;
+  }
+  const ResolvedMesh whole = reply.Result.Surface;
+  reply.InteriorDropped = DropInterior(job.Solid, reply.Result.Surface);
+  if (reply.InteriorDropped > 0 &&
+    TryOrders("TetGen -pcY, without interior", 0, NumberOfOrders, SurfacePoints::None, job, reply,
+      host, messages))
+  {
+    return true;
+  }
+  reply.Result.Surface = whole;
+  reply.InteriorDropped = 0;
   return false;
 }
 
@@ -157,10 +180,12 @@ bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& 
   }
   host.End();
   host.Begin(Stage::Tetrahedralize);
-  return TryOrders(
-           "TetGen -pcY", NumberOfOrders, SurfacePoints::None, job, reply, host, messages) ||
-    TryOrders(
-      "TetGen -pcM", NumberOfSplitOrders, SurfacePoints::Allowed, job, reply, host, messages);
+  const auto tryOrders = [&](const char* rung, int first, int last, SurfacePoints surfacePoints)
+  { return TryOrders(rung, first, last, surfacePoints, job, reply, host, messages); };
+  return tryOrders("TetGen -pcY", 0, NumberOfOrdersBeforeDropping, SurfacePoints::None) ||
+    TryWithoutInterior(job, reply, host, messages) ||
+    tryOrders("TetGen -pcY", NumberOfOrdersBeforeDropping, NumberOfOrders, SurfacePoints::None) ||
+    tryOrders("TetGen -pcM", 0, NumberOfSplitOrders, SurfacePoints::Allowed);
 }
 
 /** What is wrong with a snapped mesh, or an empty string. */
@@ -202,7 +227,7 @@ bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages
     reply.IntersectingPairs = snapped.IntersectingPairs;
     reply.SnapDistance = snapped.Distance;
     host.Begin(Stage::Tetrahedralize);
-    if (TryOrders("TetGen -pcY, snapped", NumberOfSnappedOrders, SurfacePoints::None, job, reply,
+    if (TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None, job, reply,
           host, messages))
     {
       return true;
@@ -270,6 +295,7 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
     {
       messages.Add(name + end);
     }
+    reply.SolidMatters = 1;
   }
   reply.Attempts = messages.Get();
   if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom)

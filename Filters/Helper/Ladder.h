@@ -24,7 +24,7 @@ struct LadderHost
  * Resolves and tetrahedralizes `reply.Result.Surface`, which has been cleaned, and writes the reply. By
  * rungs, each in a process of its own:
  * 1. TetGen with M as it is, if need be with its points and triangles in other orders, which is all that
- *    many failures take;
+ *    many failures take, without the triangles inside the solid, and with points put on its triangles;
  * 2. where the job has a SnapTolerance and C0 is not given, TetGen with M's points rounded to a grid;
  * 3. unless the job's conformity is Exact, the Delaunay tetrahedralization that cannot fail.
  * Enclosing starts with 3; so does Auto where crossings are so many that resolving would multiply M.

@@ -121,6 +121,22 @@ TriangleMesh BoxSoup(int n, std::mt19937_64& random)
   return mesh;
 }
 
+TriangleMesh Assembly(int n, std::mt19937_64& random)
+{
+  const auto quarters = [&] { return 0.25 * static_cast<double>(random() % 9); };
+  const TriangleMesh parts[] = { Box({ -0.5, -0.1, -0.2 }, { 0.5, 0.1, 0.2 }),
+    Torus(0.5, 0.15, 24, 12), Sphere(2) };
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    const TriangleMesh& part = parts[random() % 3];
+    const double scale = 0.5 + 0.05 * static_cast<double>(random() % 10);
+    const double x = quarters(), y = quarters(), z = quarters();
+    mesh = Joined(mesh, Moved(part, { x, y, z }, scale));
+  }
+  return mesh;
+}
+
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> off(-noise, noise);

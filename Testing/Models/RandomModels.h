@@ -27,6 +27,9 @@ TriangleMesh GridSoup(int n, std::mt19937_64& random);
 /** `n` boxes on a small grid: glued in sides, edges and corners, overlapped, nested, some inside out. */
 TriangleMesh BoxSoup(int n, std::mt19937_64& random);
 
+/** `n` boxes, balls and rings, all aligned and on places of a grid, so that many sides coincide and overlap. */
+TriangleMesh Assembly(int n, std::mt19937_64& random);
+
 /** A mesh twice, the second time with every coordinate off by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 

@@ -8,7 +8,7 @@ import unittest
 ROOT = os.environ["ROOT"]
 
 # Names of rungs, which field data holds.
-NO_MESSAGES = {"TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcM", "TetGen -pcY, snapped", "Delaunay, enclosing", "CGAL constrained Delaunay", "LOD "}
+NO_MESSAGES = {"TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcM", "TetGen -pcY, snapped", "TetGen -pcY, without interior", "Delaunay, enclosing", "CGAL constrained Delaunay", "LOD "}
 
 
 def read(name):

@@ -158,6 +158,26 @@ TEST(Conformity, AppendsTheInputOnRequest)
   }
 }
 
+// What is solid matters to the helper program just where triangles inside the solid may have been left out.
+TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
+{
+  std::mt19937_64 random(2);
+  for (const bool matters : { false, true })
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    carver->SetInputData(matters ? ToPolyData(models::Assembly(12, random)) : TwoBoxes());
+    carver->Update();
+    ASSERT_GT(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+    EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"),
+      matters ? "TetGen -pcY, without interior" : "TetGen -pcY");
+    const OtherHelper broken("/bin/false");
+    carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
+    Messages messages(carver);
+    carver->Update();
+    EXPECT_EQ(messages.Errors.size(), matters ? 1u : 0u);
+  }
+}
+
 // Neither conformity nor a limit that is not met carves what was tetrahedralized already a second time.
 TEST(Conformity, IsCachedLikeTheOtherSettings)
 {

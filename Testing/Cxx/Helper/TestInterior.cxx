@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Clean.h"
+#include "HelperRun.h"
+#include "Interior.h"
+#include "RandomModels.h"
+#include "Resolve.h"
+#include "Shapes.h"
+#include "Tetrahedralize.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+
+using namespace carving;
+
+namespace
+{
+
+ResolvedMesh Resolved(const TriangleMesh& mesh)
+{
+  ResolvedMesh resolved = Clean(AsResolved(mesh));
+  int pairs = 0;
+  EXPECT_EQ(Resolve(resolved, pairs, {}), "");
+  return resolved;
+}
+
+/** The triangles between solid and what is not, by coordinates, with the solid behind them. */
+std::set<std::array<Point, 3>> BoundaryOfSolid(const ResolvedMesh& surface, SolidRule rule)
+{
+  Tetrahedralization mesh;
+  mesh.Surface = surface;
+  EXPECT_EQ(Tetrahedralize({}, SurfacePoints::None, mesh), "");
+  const Classification regions = Classify(mesh, rule);
+  std::set<std::array<Point, 3>> boundary;
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const int other = mesh.Neighbors[cell][f];
+      if (regions.Kind(cell) == RegionKind::Solid &&
+        (other < 0 || regions.Kind(other) != RegionKind::Solid))
+      {
+        std::array<Point, 3> corners;
+        for (int i = 0; i < 3; ++i)
+        {
+          corners[i] = mesh.Surface.Points[mesh.OutwardFace(cell, f)[i]];
+        }
+        std::rotate(
+          corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        boundary.insert(corners);
+      }
+    }
+  }
+  return boundary;
+}
+
+TriangleMesh OverlappingBoxes()
+{
+  return models::Joined(
+    models::Box({ 0, 0, 0 }, { 2, 2, 2 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 }));
+}
+
+} // namespace
+
+// What two boxes have in common loses its walls by the one rule, and keeps them by the others.
+TEST(Interior, IsWhatHasSolidOnBothSides)
+{
+  const ResolvedMesh whole = Resolved(OverlappingBoxes());
+  ResolvedMesh mesh = whole;
+  EXPECT_GT(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
+  EXPECT_LT(mesh.Facets.size(), whole.Facets.size());
+  EXPECT_EQ(
+    mesh.Points.size(), 7u + 7u + 6u); // each loses a corner; six points where edges pass sides
+  for (const SolidRule rule : { SolidRule::EvenOdd, SolidRule::SurfaceOnly })
+  {
+    mesh = whole;
+    EXPECT_EQ(DropInterior(rule, mesh), 0);
+    EXPECT_EQ(mesh.Facets, whole.Facets);
+  }
+}
+
+// What is solid stays so, by every rule, for parts that overlap, are nested, glued or inside out.
+TEST(Interior, LeavesTheSolidAsItIs)
+{
+  std::mt19937_64 random(1);
+  int dropped = 0, compared = 0;
+  for (int i = 0; i < 60; ++i)
+  {
+    const ResolvedMesh whole = Resolved(models::BoxSoup(3 + i % 4, random));
+    for (const SolidRule rule : { SolidRule::NonzeroWinding, SolidRule::EvenOdd })
+    {
+      ResolvedMesh mesh = whole;
+      const int count = DropInterior(rule, mesh);
+      if (count == 0)
+      {
+        EXPECT_EQ(mesh.Windings, whole.Windings);
+        continue;
+      }
+      EXPECT_EQ(mesh.Facets.size() + count, whole.Facets.size());
+      dropped += count;
+      ++compared;
+      EXPECT_EQ(BoundaryOfSolid(mesh, rule), BoundaryOfSolid(whole, rule));
+    }
+  }
+  EXPECT_GT(compared, 20);
+  EXPECT_GT(dropped, 100);
+}
+
+// An open mesh is left alone.
+TEST(Interior, IsUnknownOfOpenMeshes)
+{
+  TriangleMesh open = OverlappingBoxes();
+  open.Triangles.pop_back();
+  ResolvedMesh mesh = Resolved(open);
+  EXPECT_EQ(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
+}
+
+// Where TetGen refuses the whole, the ladder leaves out the interior, if the job says what is solid.
+TEST(Interior, IsLeftOutWhereTetGenRefusesTheWhole)
+{
+  std::mt19937_64 random(2);
+  Job job;
+  job.Mesh = models::Assembly(12, random);
+  job.Solid = SolidRule::NonzeroWinding;
+  const HelperRun run = RunHelper(job);
+  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  EXPECT_EQ(run.Reply.Rung.find("TetGen -pcY, without interior"), 0u) << run.Reply.Rung;
+  EXPECT_GT(run.Reply.InteriorDropped, 0);
+  EXPECT_NE(run.Reply.SolidMatters, 0);
+}

@@ -114,18 +114,19 @@ std::string Resolve(
   ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
   // Nearly every mesh is clean after one round; the limits end those that rounding keeps dirty.
-  constexpr int maximumRounds = 10, maximumRisesInARow = 2;
+  constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
   Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
-  intersectingPairs = static_cast<int>(pairs.size());
+  const std::size_t given = pairs.size();
+  intersectingPairs = static_cast<int>(given);
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
     return std::to_string(pairs.size()) +
       " pairs of triangles cross each other: resolving them would multiply the mesh.";
   }
-  int rises = 0;
+  int explosions = 0;
   for (int round = 0; !pairs.empty(); ++round)
   {
-    if (round == maximumRounds || rises == maximumRisesInARow)
+    if (round == maximumRounds || explosions == maximumExplosions)
     {
       return "After " + std::to_string(round) + " rounds of splitting, " +
         std::to_string(pairs.size()) +
@@ -135,7 +136,8 @@ std::string Resolve(
     const std::size_t before = pairs.size();
     mesh = Clean(Split(mesh, std::move(pairs), progress));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
-    rises = pairs.size() > before ? rises + 1 : 0;
+    const bool explodes = pairs.size() > std::max(2 * before, given);
+    explosions = explodes ? explosions + 1 : 0;
   }
   return {};
 }

@@ -48,7 +48,7 @@ double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_
 /** For resolving and all attempts together. */
 double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
 {
-  return job.Conformity == Conformity::Auto ? 35.0 + 1.5e-4 * static_cast<double>(numberOfFacets)
+  return job.Conformity == Conformity::Auto ? 50.0 + 1.5e-4 * static_cast<double>(numberOfFacets)
                                             : 0.0;
 }
 

@@ -4,9 +4,10 @@
 #include "ResolveContours.h"
 #include "Vector.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -97,14 +98,7 @@ private:
 
 using Edge = std::pair<int, int>;
 
-struct EdgeHash
-{
-  std::size_t operator()(const Edge& edge) const
-  {
-    const std::uint64_t key = static_cast<std::uint64_t>(edge.first) << 32 | edge.second;
-    return std::hash<std::uint64_t>()(key * 0x9E3779B97F4A7C15u);
-  }
-};
+using EdgeHash = boost::hash<Edge>;
 
 Edge Undirected(int a, int b)
 {

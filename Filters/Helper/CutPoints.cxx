@@ -2,30 +2,12 @@
 #include "CutPoints.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <tuple>
 
 using namespace carving;
 
 CutPoints::CutPoints(const ResolvedMesh& mesh)
   : Mesh(mesh)
 {
-}
-
-bool CutPoints::Crossing::operator==(const Crossing& other) const
-{
-  return std::tie(this->From, this->To, this->Triangle) ==
-    std::tie(other.From, other.To, other.Triangle);
-}
-
-std::size_t CutPoints::Hash::operator()(const Crossing& crossing) const
-{
-  std::uint64_t hash = 0;
-  for (const int part : { crossing.From, crossing.To, crossing.Triangle })
-  {
-    hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;
-  }
-  return static_cast<std::size_t>(hash ^ (hash >> 32));
 }
 
 std::array<int, 2> CutPoints::Intersect(int a, int b)
@@ -106,10 +88,10 @@ int CutPoints::Find(const Crossing& crossing)
   const auto [found, isNew] = this->Known.try_emplace(crossing, count);
   if (isNew)
   {
-    const ExactVector& normal = this->NormalOf(crossing.Triangle);
-    const ExactVector origin = this->ToExactVector(this->Mesh.Facets[crossing.Triangle][0]),
-                      from = this->ToExactVector(crossing.From),
-                      to = this->ToExactVector(crossing.To);
+    const auto& [fromPoint, toPoint, triangle] = crossing;
+    const ExactVector& normal = this->NormalOf(triangle);
+    const ExactVector origin = this->ToExactVector(this->Mesh.Facets[triangle][0]),
+                      from = this->ToExactVector(fromPoint), to = this->ToExactVector(toPoint);
     Exact::Exact_kernel::FT atFrom = 0, atTo = 0;
     for (int i = 0; i < 3; ++i)
     {

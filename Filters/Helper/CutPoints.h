@@ -8,6 +8,8 @@
 
 #include "Kernels.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
 #include <unordered_map>
 #include <vector>
@@ -33,15 +35,7 @@ public:
 
 private:
   using ExactVector = std::array<Exact::Exact_kernel::FT, 3>;
-  struct Crossing
-  {
-    int From, To, Triangle;
-    bool operator==(const Crossing& other) const;
-  };
-  struct Hash
-  {
-    std::size_t operator()(const Crossing& crossing) const;
-  };
+  using Crossing = std::array<int, 3>; ///< the ends of an edge, the lower first, and a triangle
 
   void AddEnds(int a, int b, std::vector<int>& ends);
   int Find(const Crossing& crossing);
@@ -52,7 +46,7 @@ private:
 
   const carving::ResolvedMesh& Mesh;
   std::vector<ExactPoint> Made;
-  std::unordered_map<Crossing, int, Hash> Known;
+  std::unordered_map<Crossing, int, boost::hash<Crossing>> Known;
   std::unordered_map<int, ExactVector> Normals; ///< of triangles
 };
 

@@ -6,11 +6,11 @@
 #include "Enclose.h"
 #include "InitialSurface.h"
 #include "Interior.h"
+#include "Priority.h"
 #include "Resolve.h"
 #include "Shuffle.h"
 #include "Snap.h"
 #include "Tetrahedralize.h"
-#include "Vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -204,9 +204,7 @@ std::string CheckSnapped(const Job& job, const SnappedMesh& snapped, double tole
 bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
   const ResolvedMesh given = std::move(reply.Result.Surface);
-  Point lower, upper;
-  GetBounds(given.Points, lower, upper);
-  const double tolerance = job.SnapTolerance * Length(upper - lower);
+  const double tolerance = job.SnapTolerance * Diagonal(given.Points);
   double spacing = GridSpacing(tolerance);
   for (int grid = 0; grid < NumberOfGrids; ++grid, spacing /= FinerGrid)
   {

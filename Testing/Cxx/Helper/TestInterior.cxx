@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Clean.h"
 #include "HelperRun.h"
 #include "Interior.h"
 #include "RandomModels.h"
-#include "Resolve.h"
+#include "Resolved.h"
 #include "Shapes.h"
 #include "Tetrahedralize.h"
 
@@ -18,14 +17,6 @@ using namespace carving;
 
 namespace
 {
-
-ResolvedMesh Resolved(const TriangleMesh& mesh)
-{
-  ResolvedMesh resolved = Clean(AsResolved(mesh));
-  int pairs = 0;
-  EXPECT_EQ(Resolve(resolved, pairs, {}), "");
-  return resolved;
-}
 
 /** The triangles between solid and what is not, by coordinates, with the solid behind them. */
 std::set<std::array<Point, 3>> BoundaryOfSolid(const ResolvedMesh& surface, SolidRule rule)

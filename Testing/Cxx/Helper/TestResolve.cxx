@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Checks.h"
-#include "Clean.h"
 #include "Intersections.h"
-#include "Resolve.h"
+#include "Resolved.h"
 #include "Shapes.h"
 #include "Vector.h"
 #include "Winding.h"
@@ -15,15 +13,6 @@ using namespace carving;
 
 namespace
 {
-
-ResolvedMesh Resolved(const TriangleMesh& given)
-{
-  ResolvedMesh mesh = Clean(AsResolved(given));
-  int pairs = 0;
-  EXPECT_EQ(Resolve(mesh, pairs, {}), "");
-  EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Facets), 0);
-  return mesh;
-}
 
 double Area(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Meshes without crossings for tests of what comes after resolving.
+ */
+#ifndef Resolved_h
+#define Resolved_h
+
+#include "Checks.h"
+#include "Clean.h"
+#include "Resolve.h"
+
+#include <gtest/gtest.h>
+
+/** The mesh, cleaned and resolved; expects that no two triangles cross. */
+inline carving::ResolvedMesh Resolved(const carving::TriangleMesh& given)
+{
+  carving::ResolvedMesh mesh = Clean(AsResolved(given));
+  int pairs = 0;
+  EXPECT_EQ(Resolve(mesh, pairs, {}), "");
+  EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Facets), 0);
+  return mesh;
+}
+
+#endif

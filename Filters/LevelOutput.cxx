@@ -147,8 +147,7 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
     output->SetLines(cells);
   }
   CopyTuples(grid->GetPointData(), pointIds, output->GetPointData());
-  for (const char* name : { StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides,
-         StreamArrays::SolidTurns })
+  for (const char* name : { StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides })
   {
     output->GetCellData()->CopyFieldOff(name); // what only a stream has
   }

@@ -87,35 +87,16 @@ void TakePart(std::vector<Value>& values, std::size_t first, std::size_t count)
   values.resize(count);
 }
 
-/** Turns lead from a facet with solid on one side to such a facet. */
-template <int D>
-bool TurnsArePossible(const carving::StoredStream<D>& stream, const std::vector<int>& solidSides)
-{
-  for (std::size_t facet = 0; facet < solidSides.size(); ++facet)
-  {
-    const bool oneSided = solidSides[facet] == 1 || solidSides[facet] == 2;
-    for (const int to : stream.Turns[facet])
-    {
-      if (oneSided &&
-        (to < 0 || to >= static_cast<int>(solidSides.size()) || solidSides[to] % 3 == 0))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
 } // namespace
 
 int GetStreamDimension(vtkUnstructuredGrid* grid)
 {
-  if (!grid->GetCellData()->HasArray(StreamArrays::SolidTurns) || grid->GetNumberOfCells() == 0)
+  const vtkIdType count = grid->GetNumberOfCells();
+  if (!grid->GetCellData()->HasArray(StreamArrays::SolidSides) || count == 0)
   {
     return 0;
   }
-  return grid->GetCellData()->GetArray(StreamArrays::SolidTurns)->GetNumberOfComponents() == 2 ? 2
-                                                                                               : 3;
+  return grid->GetCellType(count - 1) == VTK_LINE ? 2 : 3; // the facets of M come last
 }
 
 std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile)
@@ -166,7 +147,7 @@ std::string ReadStream(
     return prefix + "it has cells of other types." + Advice;
   }
   const vtkIdType count = grid->GetNumberOfCells();
-  std::vector<int> measure, both, turns, solidSides;
+  std::vector<int> measure, both, solidSides;
   vtkCellData* cellData = grid->GetCellData();
   vtkFieldData* fieldData = grid->GetFieldData();
   for (const std::string& mistake :
@@ -175,7 +156,6 @@ std::string ReadStream(
       ReadArray(cellData, StreamArrays::Depth, count, stream.Order.Depth),
       ReadArray(cellData, StreamArrays::Region, count, stream.Regions),
       ReadArray(cellData, StreamArrays::SolidSides, count, solidSides),
-      ReadArray(cellData, StreamArrays::SolidTurns, count, turns),
       ReadArray(grid->GetPointData(), StreamArrays::OriginalPoints, grid->GetNumberOfPoints(),
         stream.Mesh.Surface.PointSources),
       ReadArray(fieldData, StreamArrays::Measure, 1, measure),
@@ -193,12 +173,6 @@ std::string ReadStream(
   TakePart(stream.Order.Depth, 0, cells);
   TakePart(stream.Regions, 0, cells);
   TakePart(solidSides, cells, facets);
-  turns.erase(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(D * cells));
-  stream.Turns.resize(facets);
-  for (std::size_t i = 0; i < turns.size(); ++i)
-  {
-    stream.Turns[i / D][i % D] = turns[i];
-  }
   for (int& step : stream.Order.Step)
   {
     step = step < 0 ? carving::Stream::Never : step;
@@ -206,7 +180,7 @@ std::string ReadStream(
   stream.Measure = static_cast<carving::PriorityMeasure>(measure[0]);
   stream.Folds = both[0] != 0 ? carving::FoldSides::Both : carving::FoldSides::One;
   stream.Order.StepPriority = profile.Priority;
-  if (!TurnsArePossible(stream, solidSides) || !carving::Connect(stream, solidSides))
+  if (!carving::Connect(stream, solidSides))
   {
     return prefix + "its cells do not fit together." + Advice;
   }

@@ -214,10 +214,8 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
   auto steps = MakeArray<vtkIntArray>(StreamArrays::Step, count);
   auto region = MakeArray<vtkIntArray>(StreamArrays::Region, count);
   auto solidSides = MakeArray<vtkIntArray>(StreamArrays::SolidSides, count);
-  auto solidTurns = MakeArray<vtkIntArray>(StreamArrays::SolidTurns, count, D);
   auto originalCells = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, count);
   solidSides->Fill(0);
-  solidTurns->Fill(-1);
   output->CopyAllocate(input->GetCellData(), count);
   for (vtkIdType i = 0; i < cells; ++i)
   {
@@ -239,17 +237,13 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
     steps->SetValue(i, StepForUser(facetSteps[facet]));
     region->SetValue(i, -1);
     solidSides->SetValue(i, sides[facet]);
-    for (int k = 0; k < D; ++k)
-    {
-      solidTurns->SetTypedComponent(i, k, stream.Turns[facet][k]);
-    }
     originalCells->SetValue(i, original);
     output->CopyData(input->GetCellData(), original, i);
   }
   AddIdArrays(
     input->GetCellData(), count, [&](vtkIdType i) { return originalCells->GetValue(i); }, output);
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
-         priority, depth, steps, region, solidSides, solidTurns, originalCells })
+         priority, depth, steps, region, solidSides, originalCells })
   {
     output->AddArray(array);
   }

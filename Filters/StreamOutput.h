@@ -25,7 +25,6 @@ constexpr const char* Depth = "Depth";
 constexpr const char* Step = "Step";
 constexpr const char* Region = "Region";
 constexpr const char* SolidSides = "SolidSides";
-constexpr const char* SolidTurns = "SolidTurns";
 constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 constexpr const char* Measure = "PriorityMeasure";

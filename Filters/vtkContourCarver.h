@@ -27,8 +27,8 @@
  * box is a rectangle in the plane, along the two axes that are left.
  *
  * The arrays are those of vtkTopologyCarver but for `SurfaceGenus`; `Triangles` is the number of edges,
- * `Genus` that of holes in K_i, `Voids` is 0, `Volume` the area, the columns of
- * `SolidTurns` belong to an edge's two ends, and `Rung` says how the plane was triangulated.
+ * `Genus` that of holes in K_i, `Voids` is 0, `Volume` the area, and `Rung` says how the plane was
+ * triangulated.
  * vtkExtractCarvedLOD gives any level from the stream.
  *
  * **Helper program, composite input**: as for vtkTopologyCarver.

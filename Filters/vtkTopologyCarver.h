@@ -48,17 +48,15 @@
  * set. Its `Components` are what hangs together, be it by one point; its `Voids` are the hollows that it
  * encloses; its `Genus` is its tunnels, the first Betti number: the loops in it that nothing fills, each
  * independent of the others. Components and voids never get fewer; tunnels may merge. The surface is what
- * cutting leaves (see ManifoldOutput): where pieces of K_i touch in points or edges only, it has more
+ * cutting leaves (see ManifoldOutput): where pieces of K_i touch in single points or edges only, it has more
  * components and fewer handles, and each wall of a void is a component too. `SurfaceGenus` is the sum over
- * its components; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md explains all of this.
+ * its components, and at most `Genus`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md explains all of this.
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
  * `Priority` (when popped), `Depth`, `Step` (of a tetrahedron: it is missing from C_j for j >= Step;
  * of a triangle: the first step at which it shows; -1: never), `Region` (tetrahedra joined by faces
- * that are not of M; -1 for triangles), `SolidSides` (of a triangle: 1 if the solid is behind it plus 2
- * if it is in front) and `SolidTurns` (of a triangle with solid on one side: for each corner the triangle
- * that a turn through the solid around the opposite edge comes to, counted from the first triangle),
- * `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
+ * that are not of M; -1 for triangles) and `SolidSides` (of a triangle: 1 if the solid is behind it plus 2
+ * if it is in front), `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
  * settings by the names of the properties, and the profile by the names of its columns after "Profile":
  * `ProfileVertices` and so on (`ProfileError` only if it has been asked for). vtkExtractCarvedLOD gives any level from it.
  *

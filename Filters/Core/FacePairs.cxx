@@ -112,7 +112,7 @@ private:
     }
     else
     {
-      this->PairAcrossSolid(others);
+      this->PairAcrossExterior(others);
     }
     if (folds.size() == 2)
     {
@@ -130,70 +130,6 @@ private:
     return this->Mesh.Constraints[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
   }
 
-  /** Which corner of the facet the ridge is opposite to. */
-  int OppositeCorner(int facet, const Ridge& ridge) const
-  {
-    const std::array<int, D>& corners = this->Mesh.Surface.Facets[facet];
-    int k = 0;
-    while (std::find(ridge.begin(), ridge.end(), corners[k]) != ridge.end())
-    {
-      ++k;
-    }
-    return k;
-  }
-
-  /**
-   * The face, given by facet of M (as -1 - facet) or by half-face in the exterior, at which a turn
-   * through solid and uncarved cells ends that starts behind the given face.
-   */
-  int TurnThroughSolid(const FaceLife<D>& face, const Ridge& ridge) const
-  {
-    int at = face.Behind;
-    int facet = face.Constraint;
-    for (;;)
-    {
-      if (at == Solid)
-      {
-        facet = this->Stored.Turns[facet][this->OppositeCorner(facet, ridge)];
-        const auto& [behind, inFront] = this->Stored.Sides[facet];
-        at = behind == Solid ? inFront : behind;
-        if (at == Outside || this->IsExterior(at))
-        {
-          return -1 - facet;
-        }
-        continue;
-      }
-      const int exit = AcrossCell(this->Mesh, at, ridge);
-      facet = this->ConstraintOf(exit);
-      at = Across(this->Mesh, exit);
-      if (at != Solid && this->IsExterior(at))
-      {
-        return facet >= 0 ? -1 - facet : exit;
-      }
-    }
-  }
-
-  void PairAcrossSolid(const std::vector<int>& sides)
-  {
-    for (const int side : sides)
-    {
-      if (this->Pairs.Partner[side] >= 0)
-      {
-        continue;
-      }
-      const int end =
-        this->TurnThroughSolid(FaceAt<D>(this->Shown, side), RidgeAt<D>(this->Shown, side));
-      for (const int other : sides)
-      {
-        const FaceLife<D>& face = FaceAt<D>(this->Shown, other);
-        if (end < 0 ? face.Constraint == -1 - end : face.Behind == end)
-        {
-          this->Pairs.Join(side, other);
-        }
-      }
-    }
-  }
-
   /** The half-face in the exterior in front of the face at which a turn through it ends. */
   int TurnThroughExterior(const FaceLife<D>& face, const Ridge& ridge) const
   {
@@ -202,7 +138,8 @@ private:
     {
       const int exit = AcrossCell(this->Mesh, at, ridge);
       at = Across(this->Mesh, exit);
-      if (this->ConstraintOf(exit) >= 0 || at == Solid || (at >= 0 && !this->IsExterior(at)))
+      const bool isFold = this->ConstraintOf(exit) >= 0 && this->Stored.Folds == FoldSides::Both;
+      if (isFold || at == Solid || (at >= 0 && !this->IsExterior(at)))
       {
         return exit;
       }
@@ -212,22 +149,14 @@ private:
 
   void PairAcrossExterior(const std::vector<int>& sides)
   {
-    int atOutside = -1; // C0 is a manifold: two turns end there
+    std::vector<int> atOutside;
     for (const int side : sides)
     {
-      if (this->Pairs.Partner[side] >= 0)
-      {
-        continue;
-      }
       const int end =
         this->TurnThroughExterior(FaceAt<D>(this->Shown, side), RidgeAt<D>(this->Shown, side));
       if (end == Outside)
       {
-        if (atOutside >= 0)
-        {
-          this->Pairs.Join(atOutside, side);
-        }
-        atOutside = side;
+        atOutside.push_back(side);
         continue;
       }
       for (const int other : sides)
@@ -237,6 +166,10 @@ private:
           this->Pairs.Join(side, other);
         }
       }
+    }
+    if (atOutside.size() == 2) // C0 is a manifold: two turns end there
+    {
+      this->Pairs.Join(atOutside[0], atOutside[1]);
     }
   }
 

@@ -31,8 +31,8 @@ struct FacePairs
 };
 
 /**
- * Pairs the faces around each ridge by the solid between them, or, where both sides of folds show, by
- * the exterior between them: by turns through the cells around it, never by angles.
+ * Pairs the faces around each ridge by the exterior between them, by turns through the cells around it, never
+ * by angles. Folds of one side only are no part of the exterior's boundary, and paired with each other.
  */
 template <int D>
 FacePairs PairFaces(const StoredStream<D>& stream, const Level<D>& level);

@@ -2,7 +2,6 @@
 #include "StoredStream.h"
 
 #include "Adjacency.h"
-#include "Ridges.h"
 
 namespace carving
 {
@@ -29,54 +28,6 @@ void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
       {
         const bool behind = SameDirection<D>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]);
         stream.Sides[facet][behind ? 0 : 1] = HalfFace<D>::Of(cell, f);
-      }
-    }
-  }
-}
-
-/** From a half-face of a solid cell through the solid around a ridge to the facet that ends it. */
-template <int D>
-int TurnThroughSolid(const Decomposition<D>& mesh, const Classification& regions, int halfFace,
-  const std::array<int, D - 1>& ridge)
-{
-  for (;;)
-  {
-    const int exit = AcrossCell(mesh, halfFace, ridge);
-    const int cell = HalfFace<D>::Cell(exit);
-    const int corner = HalfFace<D>::Corner(exit);
-    const int neighbor = mesh.Neighbors[cell][corner];
-    if (neighbor < 0 || regions.Kind(neighbor) != RegionKind::Solid)
-    {
-      return mesh.Constraints[cell][corner];
-    }
-    halfFace = AcrossFace(mesh, exit);
-  }
-}
-
-template <int D>
-void FindTurns(const Decomposition<D>& mesh, const Classification& regions, StoredStream<D>& stream)
-{
-  std::array<int, D> none;
-  none.fill(-1);
-  stream.Turns.assign(mesh.Surface.Facets.size(), none);
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    if (regions.Kind(cell) != RegionKind::Solid)
-    {
-      continue;
-    }
-    for (int f = 0; f <= D; ++f)
-    {
-      const int facet = mesh.Constraints[cell][f];
-      const int neighbor = mesh.Neighbors[cell][f];
-      if (facet < 0 || (neighbor >= 0 && regions.Kind(neighbor) == RegionKind::Solid))
-      {
-        continue;
-      }
-      for (int k = 0; k < D; ++k)
-      {
-        stream.Turns[facet][k] = TurnThroughSolid(
-          mesh, regions, HalfFace<D>::Of(cell, f), RidgeOf<D>(mesh.Surface.Facets[facet], k));
       }
     }
   }
@@ -130,16 +81,6 @@ StoredStream<D> Store(
     }
   }
   FindSides(result, solidSides);
-  if (all)
-  {
-    std::array<int, D> none;
-    none.fill(-1);
-    result.Turns.assign(mesh.Surface.Facets.size(), none);
-  }
-  else
-  {
-    FindTurns(mesh, regions, result);
-  }
   return result;
 }
 

@@ -41,8 +41,8 @@ struct HalfFace
 };
 
 /**
- * The stored stream: the complement with the order in which it is carved, and what must be known of
- * the solid to orient the faces of M and to cut levels into manifolds.
+ * The stored stream: the complement with the order in which it is carved, and on which side of M the
+ * solid is.
  */
 template <int D>
 struct StoredStream
@@ -64,11 +64,6 @@ struct StoredStream
    * Faces the way of `Mesh.Surface.Facets`.
    */
   std::vector<std::array<int, 2>> Sides;
-  /**
-   * Per facet of M with solid on one side: entry k is the facet that a turn through the solid, around
-   * the ridge opposite to corner k, comes to; -1 for other facets.
-   */
-  std::vector<std::array<int, D>> Turns;
 };
 
 /** Leaves the cells of the solid out, in exact mode. */

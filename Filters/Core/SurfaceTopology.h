@@ -21,7 +21,7 @@ struct SurfaceTopology
 
 /**
  * Of triangles that have been cut into oriented manifolds. Other than of the closed complex, of which
- * solids that touch in a vertex or an edge are one component, and which knows of the solid between
+ * solids that touch in one vertex or edge are one component, and which knows of the solid between
  * surfaces: a void's wall is a component here. O(n log n).
  */
 SurfaceTopology MeasureSurface(const ManifoldLevel<3>& level);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Manifold.h"
 #include "SmallMeshes.h"
+#include "SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,8 @@ using namespace carving;
 namespace
 {
 
-/** A stream in which nothing has been carved, with the solid between the given faces. */
-StoredStream<3> Uncarved(const std::vector<Point>& points,
+/** A stream in which all that is no solid can be carved, with the solid between the given faces. */
+StoredStream<3> Carvable(const std::vector<Point>& points,
   const std::vector<std::array<int, 4>>& cells, const std::vector<Triangle>& facets)
 {
   return small::StoreOneByOne(small::Assemble(points, cells, facets));
@@ -59,77 +60,12 @@ std::vector<Triangle> FacesOf(const std::vector<Point>& points, const std::array
     mesh.OutwardFace(0, 3) };
 }
 
-/** Two solid tetrahedra, whatever they have in common. */
-StoredStream<3> TwoSolids(
-  const std::vector<Point>& points, const std::array<int, 4>& a, const std::array<int, 4>& b)
+/** Solid tetrahedra, whatever they have in common, and others to be carved from between them. */
+StoredStream<3> Solids(const std::vector<Point>& points,
+  const std::vector<std::array<int, 4>>& solids, std::vector<std::array<int, 4>> between = {})
 {
-  return Uncarved(points, { a, b }, small::Joined(FacesOf(points, a), FacesOf(points, b)));
-}
-
-} // namespace
-
-// Two solids that touch in a vertex get one copy of it each.
-TEST(Manifold, CutsAtAVertex)
-{
-  const StoredStream<3> stream = TwoSolids({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-                                             { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
-    { 0, 1, 2, 3 }, { 0, 4, 5, 6 });
-  const Level<3> level = ExtractLevel(stream, 0);
-  EXPECT_EQ(KeepUncut(level).Points.size(), 7u);
-  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
-  EXPECT_EQ(cut.Points, (std::vector<int>{ 0, 0, 1, 2, 3, 4, 5, 6 }));
-  EXPECT_TRUE(IsClosedManifold(cut));
-}
-
-// Two solids that touch in an edge are cut apart there: the faces of each stay joined with each other.
-TEST(Manifold, CutsAlongAnEdge)
-{
-  const StoredStream<3> stream =
-    TwoSolids({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
-      { 0, 1, 2, 3 }, { 0, 1, 4, 5 });
-  const Level<3> level = ExtractLevel(stream, 0);
-  EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
-  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
-  EXPECT_EQ(cut.Points.size(), 8u);
-  EXPECT_TRUE(IsClosedManifold(cut));
-  // No triangle of one tetrahedron shares a vertex with one of the other.
-  std::map<bool, std::set<int>> vertices;
-  for (std::size_t i = 0; i < cut.Faces.size(); ++i)
-  {
-    const Triangle& corners = level.Faces[i].Corners;
-    const bool second = std::any_of(corners.begin(), corners.end(), [](int v) { return v >= 4; });
-    vertices[second].insert(cut.Faces[i].begin(), cut.Faces[i].end());
-  }
-  EXPECT_EQ(vertices[false].size(), 4u);
-  EXPECT_EQ(vertices[true].size(), 4u);
-}
-
-// Two wedges that meet in an edge and are one piece around both of its ends are joined across the
-// exterior: no edge has four triangles, no vertex is added that is not a copy.
-TEST(Manifold, JoinsWedgesThatAreOneAroundBothEnds)
-{
-  // Around the edge 0-1, a ring of six tetrahedra, of which two that are opposite are missing; below
-  // and above, the ring is closed by tetrahedra to the points 8 and 9.
-  std::vector<Point> points = { { 0, 0, -1 }, { 0, 0, 1 } };
-  for (int i = 0; i < 6; ++i)
-  {
-    points.push_back({ std::cos(i * M_PI / 3), std::sin(i * M_PI / 3), 0.0 });
-  }
-  points.push_back({ 0, 0, -2 });
-  points.push_back({ 0, 0, 2 });
-  std::vector<std::array<int, 4>> cells;
   std::map<Triangle, Triangle> boundary; // by sorted corners; faces inside cancel
-  for (int i = 0; i < 6; ++i)
-  {
-    const int a = 2 + i, b = 2 + (i + 1) % 6;
-    if (i % 3 != 0)
-    {
-      cells.push_back({ 0, 1, a, b });
-    }
-    cells.push_back({ 8, 0, a, b });
-    cells.push_back({ 1, 9, a, b });
-  }
-  for (const std::array<int, 4>& cell : cells)
+  for (const std::array<int, 4>& cell : solids)
   {
     for (const Triangle& face : FacesOf(points, cell))
     {
@@ -146,12 +82,106 @@ TEST(Manifold, JoinsWedgesThatAreOneAroundBothEnds)
   {
     facets.push_back(face);
   }
-  const StoredStream<3> stream = Uncarved(points, cells, facets);
+  between.insert(between.end(), solids.begin(), solids.end());
+  return Carvable(points, between, facets);
+}
+
+} // namespace
+
+// Two solids that touch in a vertex get one copy of it each.
+TEST(Manifold, CutsAtAVertex)
+{
+  const StoredStream<3> stream = Solids({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                                          { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
+    { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } });
   const Level<3> level = ExtractLevel(stream, 0);
-  EXPECT_EQ(level.Faces.size(), facets.size());
+  EXPECT_EQ(KeepUncut(level).Points.size(), 7u);
+  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
+  EXPECT_EQ(cut.Points, (std::vector<int>{ 0, 0, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_TRUE(IsClosedManifold(cut));
+}
+
+// Two solids that touch in an edge alone are cut apart there.
+TEST(Manifold, CutsAtASingleEdge)
+{
+  const StoredStream<3> stream =
+    Solids({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
+      { { 0, 1, 2, 3 }, { 0, 1, 4, 5 } }, { { 0, 1, 3, 4 }, { 0, 1, 5, 2 } });
+  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  ASSERT_EQ(level.Faces.size(), 8u);
+  EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
+  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
+  EXPECT_EQ(cut.Points.size(), 8u);
+  EXPECT_TRUE(IsClosedManifold(cut));
+  // No triangle of one tetrahedron shares a vertex with one of the other.
+  std::map<bool, std::set<int>> vertices;
+  for (std::size_t i = 0; i < cut.Faces.size(); ++i)
+  {
+    const Triangle& corners = level.Faces[i].Corners;
+    const bool second = std::any_of(corners.begin(), corners.end(), [](int v) { return v >= 4; });
+    vertices[second].insert(cut.Faces[i].begin(), cut.Faces[i].end());
+  }
+  EXPECT_EQ(vertices[false].size(), 4u);
+  EXPECT_EQ(vertices[true].size(), 4u);
+}
+
+// Two solids that touch along two edges in a row stay joined, as a ball: the vertex between the edges has a
+// copy on either side of them.
+TEST(Manifold, StaysJoinedAlongSeveralEdges)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { -1, 0, 1 }, { -1, -1, 1 } };
+  const StoredStream<3> stream =
+    Solids(points, { { 0, 1, 3, 4 }, { 1, 2, 3, 4 }, { 0, 1, 5, 6 }, { 1, 2, 5, 6 } },
+      { { 0, 1, 4, 5 }, { 1, 2, 4, 5 }, { 0, 1, 6, 3 }, { 1, 2, 6, 3 } });
+  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  ASSERT_EQ(level.Faces.size(), 12u);
+  EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
+  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
+  EXPECT_EQ(cut.Points, (std::vector<int>{ 0, 1, 1, 2, 3, 4, 5, 6 }));
+  EXPECT_TRUE(IsClosedManifold(cut));
+  const SurfaceTopology topology = MeasureSurface(cut);
+  EXPECT_EQ(topology.Components, 1);
+  EXPECT_EQ(topology.Genus, 0);
+}
+
+// A tetrahedron glued into a hole by all its edges around stays there: what closes a tunnel of the closed set
+// closes it on the surface too.
+TEST(Manifold, KeepsALidThatIsHeldByEdges)
+{
+  // A ring of prisms whose inner edges are those of a triangle; the lid is a double pyramid on it.
+  const double s = std::sqrt(3.0) / 2;
+  std::vector<Point> points = { { 0, 0, 1 }, { 0, 0, -1 }, { 1, 0, 0 }, { -0.5, s, 0 },
+    { -0.5, -s, 0 } };
+  for (const double z : { 3.0, -3.0 })
+  {
+    for (int i = 2; i < 5; ++i)
+    {
+      points.push_back({ 5 * points[i][0], 5 * points[i][1], z });
+    }
+  }
+  std::vector<std::array<int, 4>> solids = { { 0, 2, 3, 4 }, { 1, 4, 3, 2 } };
+  std::vector<std::array<int, 4>> between;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int a = 2 + i, b = 2 + (i + 1) % 3, up = 5 + i, upNext = 5 + (i + 1) % 3;
+    solids.push_back({ a, b, up + 3, up });
+    solids.push_back({ b, up + 3, up, upNext });
+    solids.push_back({ b, up + 3, upNext, upNext + 3 });
+    between.push_back({ 0, a, b, up });
+    between.push_back({ 0, b, up, upNext });
+    between.push_back({ 1, a, b, up + 3 });
+    between.push_back({ 1, b, up + 3, upNext + 3 });
+  }
+  between.push_back({ 0, 5, 6, 7 });
+  between.push_back({ 1, 8, 9, 10 });
+  const StoredStream<3> stream = Solids(points, solids, between);
+  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
   const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
   EXPECT_TRUE(IsClosedManifold(cut));
+  EXPECT_EQ(MeasureSurface(cut).Components, 1);
+  EXPECT_EQ(MeasureSurface(cut).Genus, 0);
 }
 
 // Of three sheets at an edge none is joined with another; each stays whole.
@@ -159,7 +189,7 @@ TEST(Manifold, CutsThreeSheetsApart)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 },
     { -1, -1, 0 } };
-  const StoredStream<3> stream = Uncarved(points,
+  const StoredStream<3> stream = Carvable(points,
     { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } }, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
   const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
   ASSERT_EQ(level.Faces.size(), 3u);
@@ -171,7 +201,7 @@ TEST(Manifold, ClosesThreeSheetsWithBothSides)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 },
     { -1, -1, 0 } };
-  StoredStream<3> stream = Uncarved(points, { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } },
+  StoredStream<3> stream = Carvable(points, { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } },
     { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
   stream.Folds = FoldSides::Both;
   const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
@@ -188,7 +218,7 @@ TEST(Manifold, JoinsFoldsThatAreOrientedAlike)
   for (const bool alike : { true, false })
   {
     const Triangle second = alike ? Triangle{ 1, 0, 3 } : Triangle{ 0, 1, 3 };
-    const StoredStream<3> stream = Uncarved(points, cells, { { 0, 1, 2 }, second });
+    const StoredStream<3> stream = Carvable(points, cells, { { 0, 1, 2 }, second });
     const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
     EXPECT_EQ(CutIntoManifold(stream, level).Points.size(), alike ? 4u : 6u);
   }

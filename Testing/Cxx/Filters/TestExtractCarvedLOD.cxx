@@ -173,9 +173,9 @@ TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
   withoutSteps->GetCellData()->RemoveArray("Step");
   auto withoutProfile = CopyStream(carver);
   withoutProfile->GetFieldData()->RemoveArray("ProfileVertices");
-  auto wrongTurns = CopyStream(carver);
-  wrongTurns->GetCellData()->GetArray("SolidTurns")->Fill(1e6);
-  for (vtkUnstructuredGrid* grid : { withoutSteps.Get(), withoutProfile.Get(), wrongTurns.Get() })
+  auto withoutSides = CopyStream(carver);
+  withoutSides->GetCellData()->RemoveArray("SolidSides");
+  for (vtkUnstructuredGrid* grid : { withoutSteps.Get(), withoutProfile.Get(), withoutSides.Get() })
   {
     vtkNew<vtkExtractCarvedLOD> extract;
     Messages messages(extract);

@@ -6,6 +6,7 @@
 #include "LevelSelection.h"
 #include "ManifoldCheck.h"
 #include "StreamTopology.h"
+#include "SurfaceTopology.h"
 #include "Vector.h"
 #include "Winding.h"
 
@@ -160,7 +161,7 @@ void ExpectInput(const Carved& carved, const Level<3>& level)
   EXPECT_EQ(found, expected);
 }
 
-/** Property 4, with one or both sides of folds. */
+/** Property 4, with one or both sides of folds; cutting opens no tunnel. */
 void ExpectManifold(const Carved& carved, int step)
 {
   StoredStream<3> stream = carved.Stored;
@@ -168,7 +169,9 @@ void ExpectManifold(const Carved& carved, int step)
   {
     stream.Folds = folds;
     const Level<3> level = ExtractLevel(stream, step);
-    EXPECT_EQ(checks::FindFaults(level, CutIntoManifold(stream, level)), checks::ManifoldFaults());
+    const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
+    EXPECT_EQ(checks::FindFaults(level, cut), checks::ManifoldFaults());
+    EXPECT_LE(MeasureSurface(cut).Genus, carved.Profile.Tunnels[step]);
   }
 }
 

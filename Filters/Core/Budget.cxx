@@ -21,34 +21,25 @@ Budget<D>::Budget(
   }
   if constexpr (D == 3)
   {
-    if (limits[0] >= 0 || limits[1] >= 0)
+    if (limits[0] >= 0)
     {
-      this->Glued = std::make_unique<GluedCells>(mesh, this->Rest.GetCells());
+      this->Parts = std::make_unique<GluedParts>(mesh, this->Rest.GetCells());
     }
   }
 }
 
+/** How many more there may be of one of the numbers, or of the pieces of the cut surface. */
 template <int D>
 int Budget<D>::GetRoom(int number) const
 {
-  return this->Limits[number] - this->Rest.GetBettiNumbers()[number];
-}
-
-template <int D>
-int Budget<D>::GetGluedRoom(int number) const
-{
-  return this->Limits[number] -
-    (number == 0 ? this->Glued->GetComponents() : this->Glued->GetTunnels());
+  return number < Numbers ? this->Limits[number] - this->Rest.GetBettiNumbers()[number]
+                          : this->Limits[0] - this->Parts->GetComponents();
 }
 
 template <int D>
 bool Budget<D>::PutAside(const Candidate& candidate, int slot)
 {
   this->Waiting[slot].push(candidate);
-  if (slot >= GluedSlots)
-  {
-    this->Glued->Watch(candidate.Cell);
-  }
   this->SlotOf[candidate.Cell] = static_cast<signed char>(slot);
   ++this->NumberAside;
   return false;
@@ -56,42 +47,35 @@ bool Budget<D>::PutAside(const Candidate& candidate, int slot)
 
 /**
  * For what a cell would have to wait if the surface is cut without it, or -1 if it would stay within the
- * limits.
+ * limit. `labels` is what carving it would leave.
  */
 template <int D>
-int Budget<D>::FindGluedSlot(int cell, GluedRemoval& removal)
+int Budget<D>::FindPartsSlot(int cell, GluedParts::Labels& labels)
 {
-  removal = this->Glued->Examine(cell);
-  const auto findSlot = [&](const GluedRemoval& r)
+  GluedParts& parts = *this->Parts;
+  labels = parts.Examine(cell);
+  if (CountLabels(labels) - 1 > this->GetRoom(Numbers) && !this->PartsAreExact)
   {
-    const int first = r.Components > this->GetGluedRoom(0) ? GluedSlots
-      : r.GetTunnels() > this->GetGluedRoom(1)             ? GluedSlots + GluedAmounts
-                                                           : -1;
-    const int amount = first == GluedSlots ? r.Components : r.GetTunnels();
-    return first < 0 ? -1 : first + std::max(amount, 1) - 1;
-  };
-  const int slot = findSlot(removal);
-  if (slot < 0 || removal.Components <= 0)
+    this->PartsAreExact = true;
+    parts.CountComponents();
+  }
+  if (CountLabels(labels) < 2 || !this->PartsAreExact)
   {
-    this->MayBeLess = this->MayBeLess || removal.Components > 0;
+    return -1;
+  }
+  const auto findSlot = [&](int count)
+  { return count - 1 > this->GetRoom(Numbers) ? PartsSlots + count - 2 : -1; };
+  if (const int slot = findSlot(parts.CountSides(cell, labels)); slot >= 0)
+  {
     return slot;
   }
-  if (this->Glued->GetTunnels() > 0) // else nothing else joins the parts
+  parts.Join(cell, labels);
+  const int slot = findSlot(CountLabels(labels));
+  if (slot >= 0)
   {
-    GluedRemoval least = removal;
-    least.Components = this->Glued->GetParts().CountSides(cell, removal.Parts) - 1;
-    if (const int leastSlot = findSlot(least); leastSlot >= 0)
-    {
-      return leastSlot;
-    }
-    this->Glued->JoinParts(cell, removal);
+    parts.KeepAsBridge(cell, labels);
   }
-  const int exactSlot = findSlot(removal);
-  if (removal.Components > 0 && exactSlot >= 0)
-  {
-    this->Glued->GetParts().KeepAsBridge(cell, removal.Parts);
-  }
-  return exactSlot;
+  return slot;
 }
 
 /** For what a cell would have to wait, or -1 if it would stay within the limits. */
@@ -125,15 +109,15 @@ bool Budget<D>::Admit(const Candidate& candidate)
     this->Rest.Keep(candidate.Cell, removal);
     return this->PutAside(candidate, wanting);
   }
-  if (this->Glued)
+  if (this->Parts)
   {
-    GluedRemoval cut;
-    const int slot = this->FindGluedSlot(candidate.Cell, cut);
+    GluedParts::Labels labels;
+    const int slot = this->FindPartsSlot(candidate.Cell, labels);
     if (slot >= 0)
     {
       return this->PutAside(candidate, slot);
     }
-    this->Glued->Carve(candidate.Cell, cut);
+    this->Parts->Carve(candidate.Cell, labels);
   }
   this->Rest.Carve(candidate.Cell, removal);
   this->TakeBack(candidate.Cell, removal);
@@ -165,35 +149,22 @@ void Budget<D>::TakeBack(int cell, const Removal<D>& removal)
 }
 
 template <int D>
-int Budget<D>::GetRoomFor(int slot) const
-{
-  return slot < GluedSlots ? this->GetRoom(slot / Amounts)
-                           : this->GetGluedRoom((slot - GluedSlots) / GluedAmounts);
-}
-
-/** The first of the cells that wait in some slots for no more than there is room for, or nullptr. */
-template <int D>
-const Candidate* Budget<D>::FindBest(int firstSlot, int lastSlot)
+const Candidate* Budget<D>::GetBest()
 {
   const Candidate* best = nullptr;
   if (this->NumberAside == 0)
   {
     return nullptr;
   }
-  for (int slot = firstSlot; slot < lastSlot; ++slot)
+  for (int slot = 0; slot < NumberOfSlots; ++slot)
   {
-    const int amount =
-      slot < GluedSlots ? slot % Amounts + 1 : (slot - GluedSlots) % GluedAmounts + 1;
-    if (amount > this->GetRoomFor(slot))
-    {
-      continue;
-    }
     auto& queue = this->Waiting[slot];
     while (!queue.empty() && this->SlotOf[queue.top().Cell] != slot)
     {
       queue.pop(); // taken back since
     }
-    if (!queue.empty() && (!best || *best < queue.top()))
+    if (!queue.empty() && slot % Amounts + 1 <= this->GetRoom(slot / Amounts) &&
+      (!best || *best < queue.top()))
     {
       best = &queue.top();
       this->BestSlot = slot;
@@ -203,47 +174,11 @@ const Candidate* Budget<D>::FindBest(int firstSlot, int lastSlot)
 }
 
 template <int D>
-const Candidate* Budget<D>::GetBest()
-{
-  return this->FindBest(0, GluedSlots);
-}
-
-template <int D>
 void Budget<D>::PopBest()
 {
   auto& queue = this->Waiting[this->BestSlot];
   this->ComesBack(queue.top().Cell);
   queue.pop();
-}
-
-template <int D>
-std::vector<int> Budget<D>::TakeBackLast()
-{
-  std::vector<int> cells;
-  if (!this->Glued)
-  {
-    return cells;
-  }
-  for (const int cell : this->Glued->TakeChanged())
-  {
-    if (this->SlotOf[cell] >= GluedSlots)
-    {
-      this->ComesBack(cell);
-      cells.push_back(cell);
-    }
-  }
-  if (cells.empty() && this->MayBeLess)
-  {
-    this->Glued->CountComponents();
-    this->MayBeLess = false;
-  }
-  const Candidate* best = cells.empty() ? this->FindBest(GluedSlots, NumberOfSlots) : nullptr;
-  if (best)
-  {
-    cells.push_back(best->Cell);
-    this->PopBest();
-  }
-  return cells;
 }
 
 template class Budget<2>;

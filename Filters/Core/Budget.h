@@ -8,7 +8,7 @@
 
 #include "CarvedComplex.h"
 #include "Carver.h"
-#include "GluedCells.h"
+#include "GluedParts.h"
 
 #include <array>
 #include <memory>
@@ -52,9 +52,9 @@ public:
   void Fetch(int cell) const
   {
     this->Rest.Fetch(cell);
-    if (this->Glued)
+    if (this->Parts)
     {
-      this->Glued->Fetch(cell);
+      this->Parts->Fetch(cell);
     }
   }
 
@@ -76,40 +76,30 @@ public:
   /** Takes it back. */
   void PopBest();
 
-  /**
-   * Where nothing else can be carved: takes back those that the surface of what is left has kept aside and
-   * that have been changed since; if there are none, the first for which there is room, if there is one.
-   */
-  std::vector<int> TakeBackLast();
-
 private:
   static constexpr int Numbers = static_cast<int>(std::tuple_size_v<BettiNumbers>);
   static constexpr int Amounts = 3; ///< no removal adds more to any of them
 
-  // Of components and tunnels, for those that only the cut surface refuses.
-  static constexpr int GluedSlots = Amounts * Numbers;
-  static constexpr int GluedAmounts = 6; ///< as before: no more edges than that can fall apart
-  static constexpr int NumberOfSlots = GluedSlots + 2 * GluedAmounts;
+  /** Of components, for those that only the cut surface would have too many of. */
+  static constexpr int PartsSlots = Amounts * Numbers;
+  static constexpr int NumberOfSlots = PartsSlots + Amounts;
 
   int GetRoom(int number) const;
-  int GetGluedRoom(int number) const;
-  int GetRoomFor(int slot) const;
   bool PutAside(const Candidate& candidate, int slot);
   int FindSlot(const Removal<D>& removal) const;
-  int FindGluedSlot(int cell, GluedRemoval& removal);
-  const Candidate* FindBest(int firstSlot, int lastSlot);
+  int FindPartsSlot(int cell, GluedParts::Labels& labels);
   bool ComesBack(int cell);
   void TakeBack(int cell, const Removal<D>& removal);
 
   CarvedComplex<D> Rest;
-  std::unique_ptr<GluedCells> Glued; ///< null in the plane and where only voids are limited
+  std::unique_ptr<GluedParts> Parts; ///< null in the plane and where components are not limited
+  bool PartsAreExact = false;
   BettiNumbers Limits;
   /** Slot `Amounts * number + amount - 1` and so on: what a cell waits for. Cells taken back remain. */
   std::array<std::priority_queue<Candidate>, NumberOfSlots> Waiting;
   std::vector<signed char> SlotOf; ///< per cell; -1 if it is not aside
   int NumberAside = 0;
   int BestSlot = 0;
-  bool MayBeLess = false; ///< the components of Glued
   std::vector<int> TakenBack;
 };
 

@@ -214,11 +214,12 @@ template <int D>
 void CarvedComplex<D>::FindTouched(
   int cell, const Removal<D>& removal, std::vector<int>& touched) const
 {
-  for (const int behind : this->Cells.Records[cell].Behind)
+  for (int f = 0; f <= D; ++f)
   {
-    if (this->Cells.IsLeft(behind))
+    const int neighbor = this->Cells.GetNeighbor(cell, f);
+    if (this->Cells.IsLeft(neighbor))
     {
-      touched.push_back(behind);
+      touched.push_back(neighbor);
     }
   }
   if constexpr (D == 3)

@@ -211,11 +211,7 @@ private:
       }
       if (this->Queue.empty())
       {
-        if (!this->LookAgain())
-        {
-          return false;
-        }
-        continue;
+        return false;
       }
       next = this->Queue.top();
       this->Queue.pop();
@@ -226,19 +222,6 @@ private:
         return true;
       }
     }
-  }
-
-  /** Where nothing is left in the queue: whether there is something in it again. */
-  bool LookAgain()
-  {
-    if (this->Limits)
-    {
-      for (const int cell : this->Limits->TakeBackLast())
-      {
-        this->Queue.push({ this->Cells[cell].Priority, cell });
-      }
-    }
-    return !this->Queue.empty();
   }
 
   bool IsAside(int cell) const

@@ -81,10 +81,9 @@ struct Stream
  * what other cells hold of its boundary, or what is left of the budget, has become another. In the end none
  * is left that could be carved alone. Where no budget is exceeded the stream is the same as without.
  *
- * Parts that touch in an edge or a vertex are one in K, but not on a level that is cut into manifolds. In
- * space components and tunnels therefore have to stay within the budget either way, as K has them and as
- * the tetrahedra that are left have them when they are glued at faces only. Those that only the latter
- * keep aside are looked at again when there is nothing else to carve.
+ * Parts that touch in an edge or a vertex are one in K, but may not be on a level that is cut into manifolds.
+ * In space components therefore have to stay within the budget either way, as K has them and as the
+ * tetrahedra that are left have them when they are glued at faces only.
  *
  * Returns false when `progress` asked to stop; `stream` is then incomplete.
  */

@@ -20,57 +20,104 @@ void Merge(std::array<int, 4>& labels, int a, int b)
 
 } // namespace
 
-GluedParts::GluedParts(const LeftCells<3>& cells)
+GluedParts::GluedParts(const Decomposition<3>& mesh, const LeftCells<3>& cells)
   : Cells(cells)
+  , Nodes(mesh.Cells.size())
+  , Touched(mesh.Surface.Points.size(), 0)
 {
-}
-
-/** Most carvings need no search at all, or not for long. */
-void GluedParts::Prepare()
-{
-  if (!this->Nodes.empty())
-  {
-    return;
-  }
-  const int numberOfCells = static_cast<int>(this->Cells.States.size());
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
   const auto stays = [&](int cell)
   { return cell >= 0 && this->Cells.States[cell] == CellState::Stays; };
   DisjointSets sets(numberOfCells);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    for (int f = 0; f < 4 && stays(cell); ++f)
+    for (int f = 0; f < 4; ++f)
     {
-      const int neighbor = this->Cells.GetNeighbor(cell, f);
-      if (neighbor < cell && stays(neighbor))
+      const int neighbor = cells.GetNeighbor(cell, f);
+      if (neighbor < cell && stays(cell) && stays(neighbor))
       {
         sets.Unite(cell, neighbor);
       }
+      for (int corner = 0; corner < 4 && neighbor < 0; ++corner)
+      {
+        if (corner != f)
+        {
+          this->Touched[mesh.Cells[cell][corner]] = 1;
+        }
+      }
     }
   }
-  this->Nodes.resize(numberOfCells);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    Node& node = this->Nodes[cell];
-    node.ReachedBy = this->Cells.IsLeft(cell) ? -1 : Gone;
-    node.Block = stays(cell) ? sets.Find(cell) : -1;
-    this->NumberOfBlocks += node.Block == cell;
+    this->Nodes[cell].Block = stays(cell) ? sets.Find(cell) : -1;
   }
 }
 
-void GluedParts::Carve(int cell)
+/** Whether others are all around an edge. */
+bool GluedParts::IsBuried(int cell, int p, int q) const
 {
-  if (!this->Nodes.empty())
+  const auto& corners = this->Cells.Records[cell].Corners;
+  if (!this->Touched[corners[p]] || !this->Touched[corners[q]])
   {
-    this->Nodes[cell].ReachedBy = Gone;
+    return true;
+  }
+  EdgeTurn turns[] = { { this->Cells, cell, p, q, 0 }, { this->Cells, cell, p, q, 1 } };
+  int at[] = { cell, cell };
+  for (;;)
+  {
+    for (const int way : { 0, 1 })
+    {
+      at[way] = LeftCells<3>::Past(turns[way].GetBehind());
+      if (at[0] == at[1])
+      {
+        return true;
+      }
+      if (!this->Cells.IsLeft(at[way]))
+      {
+        return false;
+      }
+      turns[way].Enter(at[way]);
+    }
+  }
+}
+
+GluedParts::Labels GluedParts::Examine(int cell)
+{
+  Labels labels;
+  for (int f = 0; f < 4; ++f)
+  {
+    labels[f] = this->Cells.IsLeft(this->Cells.GetNeighbor(cell, f)) ? f : -1;
+  }
+  for (int f = 1; f < 4; ++f)
+  {
+    for (int g = 0; g < f; ++g)
+    {
+      if (labels[f] < 0 || labels[g] < 0 || labels[f] == labels[g])
+      {
+        continue;
+      }
+      const auto [q, p] = OtherCorners(f, g);
+      if (this->IsBuried(cell, p, q))
+      {
+        Merge(labels, labels[f], labels[g]);
+      }
+    }
+  }
+  return labels;
+}
+
+void GluedParts::Carve(int cell, const Labels& labels)
+{
+  this->Components += CountLabels(labels) - 1;
+  this->Nodes[cell].ReachedBy = Gone;
+  for (const int vertex : this->Cells.Records[cell].Corners)
+  {
+    this->Touched[vertex] = 1;
   }
 }
 
 int GluedParts::CountSides(int cell, const Labels& labels) const
 {
-  if (this->Nodes.empty())
-  {
-    return std::min(1, CountLabels(labels)); // none is
-  }
   Labels sides = labels;
   for (int f = 0; f < 4; ++f)
   {
@@ -130,7 +177,6 @@ void GluedParts::Reach(int cell, int from, int f, Labels& labels)
 /** Searches from behind the faces of a tetrahedron, until all have met or only one can go on. */
 void GluedParts::Join(int cell, Labels& labels)
 {
-  this->Prepare();
   ++this->Search;
   std::array<std::size_t, 4> next = {};
   this->Nodes[cell].ReachedBy = Gone;
@@ -168,7 +214,6 @@ void GluedParts::Join(int cell, Labels& labels)
 
 void GluedParts::KeepAsBridge(int cell, const Labels& labels)
 {
-  this->Prepare();
   this->Nodes[cell].Sides = 0;
   for (int f = 0; f < 4; ++f)
   {
@@ -176,19 +221,20 @@ void GluedParts::KeepAsBridge(int cell, const Labels& labels)
   }
 }
 
-int GluedParts::CountComponents()
+void GluedParts::CountComponents()
 {
-  this->Prepare();
   const int numberOfCells = static_cast<int>(this->Cells.Records.size());
   DisjointSets sets(numberOfCells);
-  int components = this->NumberOfBlocks;
+  this->Components = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
+    const bool isFirstOfBlock = this->Nodes[cell].Block == cell;
+    this->Components += isFirstOfBlock;
     if (this->Cells.States[cell] != CellState::Carvable)
     {
       continue;
     }
-    ++components;
+    ++this->Components;
     for (int f = 0; f < 4; ++f)
     {
       const int neighbor = this->Cells.GetNeighbor(cell, f);
@@ -197,12 +243,11 @@ int GluedParts::CountComponents()
         const int other =
           sets.Find(this->Nodes[neighbor].Block >= 0 ? this->Nodes[neighbor].Block : neighbor);
         const int own = sets.Find(cell);
-        components -= own != other;
+        this->Components -= own != other;
         sets.Unite(own, other);
       }
     }
   }
-  return components;
 }
 
 } // namespace carving

@@ -15,19 +15,30 @@
 namespace carving
 {
 
-/** Connectivity of the cells that are left, the solid's too, from face to face. */
+/**
+ * N: the tetrahedra that are left, the solid's too, glued to each other at faces only. Where they touch in
+ * edges and vertices alone, N is apart; so no piece of a level's surface is smaller than one of N.
+ */
 class GluedParts
 {
 public:
   /** Per face of a tetrahedron: equal for those behind which the others hang together, -1 for no other. */
   using Labels = std::array<int, 4>;
 
-  /** Follows what is left; must not outlive it. */
-  explicit GluedParts(const LeftCells<3>& cells);
+  /** Starts from C0, a ball. Follows what is left; both must outlive it. */
+  GluedParts(const Decomposition<3>& mesh, const LeftCells<3>& cells);
 
+  /** Has the processor fetch what it needs to know of a cell that may soon be examined. */
+  void Fetch(int cell) const
+  {
+    __builtin_prefetch(&this->Nodes[cell]);
+  }
+
+  /** Which faces the others hang together behind, around its edges; until exact, joined nowhere else. */
+  Labels Examine(int cell);
   /** Merges the labels of faces behind which the others hang together, be it anywhere. */
   void Join(int cell, Labels& labels);
-  void Carve(int cell);
+  void Carve(int cell, const Labels& labels);
   /**
    * The tetrahedron stays although the others would fall apart so without it. They can only be joined through
    * it, for as long as it stays: no other search has to go through it from one to the other.
@@ -35,11 +46,18 @@ public:
   void KeepAsBridge(int cell, const Labels& labels);
   /** How many of those behind the faces with a label are known to be apart without it. */
   int CountSides(int cell, const Labels& labels) const;
-  /** How many components there are. */
-  int CountComponents();
+
+  /** How many components there are, at most. */
+  int GetComponents() const
+  {
+    return this->Components;
+  }
+  /** Makes the number of components exact. It stays so if labels are joined before they are carved. */
+  void CountComponents();
 
 private:
   void Prepare();
+  bool IsBuried(int cell, int p, int q) const;
   void Reach(int cell, int from, int f, Labels& labels);
   bool AreSeveralOpen(const Labels& labels, const std::array<std::size_t, 4>& next) const;
   int SideOf(int cell, int f) const
@@ -57,10 +75,11 @@ private:
   };
 
   const LeftCells<3>& Cells;
-  std::vector<Node> Nodes; ///< empty until needed
+  std::vector<Node> Nodes;
+  std::vector<char> Touched; ///< per vertex: whether the exterior is somewhere around it
   /** Of a search from behind the faces of a tetrahedron: 4 times a cell, plus the face it was entered by. */
   std::array<std::vector<int>, 4> Reached;
-  int NumberOfBlocks = 0;
+  int Components = 1;
   int Search = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The topology of tetrahedra that are glued at faces, by other means than those of the code under test.
+ * Components of tetrahedra that are glued at faces, by other means than those of the code under test.
  */
 #ifndef GluedCount_h
 #define GluedCount_h
@@ -9,13 +9,7 @@
 #include "Carver.h"
 #include "Mesh.h"
 
-#include <array>
-
-/**
- * Components and tunnels of the tetrahedra that are left, glued at faces only: from classes of corners and
- * edges that are the same by way of faces, and from the components of the surface, counted from scratch.
- */
-std::array<int, 2> CountGlued(
-  const carving::Tetrahedralization& mesh, const carving::Stream& stream, int step);
+/** How many components the tetrahedra that are left have, glued at faces only; counted from scratch. */
+int CountGlued(const carving::Tetrahedralization& mesh, const carving::Stream& stream, int step);
 
 #endif

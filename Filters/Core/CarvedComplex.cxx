@@ -196,6 +196,10 @@ template <int D>
 void CarvedComplex<D>::MakeExact()
 {
   this->IsExact = true;
+  if (this->Numbers[0] == 1)
+  {
+    return; // no less than that
+  }
   const int excess = this->Numbers[0] - this->Rest.CountComponents();
   this->Numbers[0] -= excess;
   this->Numbers[1] -= excess;

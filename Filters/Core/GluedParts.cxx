@@ -224,6 +224,10 @@ void GluedParts::KeepAsBridge(int cell, const Labels& labels)
 void GluedParts::CountComponents()
 {
   const int numberOfCells = static_cast<int>(this->Cells.Records.size());
+  if (this->Components == 1)
+  {
+    return; // no less than that
+  }
   DisjointSets sets(numberOfCells);
   this->Components = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)

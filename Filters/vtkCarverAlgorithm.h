@@ -164,11 +164,11 @@ public:
    * Budgets: the most connected components, tunnels (handles) and voids (hollows) that any level may have,
    * as the closed complex of M, the solid and all that is not carved. A tetrahedron that would exceed one
    * is left until that has changed, or for good, also where it is one of many in a step; so the last
-   * level need not be M, and a note says so. Pieces and tunnels of the surface are within the budget after cutting into
-   * manifolds, too, save for open sheets, which show as folds. With 1, 0 and 0 carving ends in a tight wrap
-   * of M without gaps or holes. -1, the default: no limit. The first level has one component, so that 0 components means
-   * 1. Tetrahedra are decided on in the order of their priorities: a budget goes to the widest gaps, not
-   * to those that would bring levels closest to M.
+   * level need not be M, and a note says so. Tunnels and pieces, but for walls of voids, are within the
+   * budget after cutting into manifolds, too, save for open sheets, which show as folds. With 1, 0 and 0
+   * carving ends in a tight wrap of M without gaps or holes. -1, the default: no limit. The first level
+   * has one component, so that 0 components means 1. Tetrahedra are decided on in the order of their
+   * priorities: a budget goes to the widest gaps, not to those that would bring levels closest to M.
    *
    * In a plane, triangles take the place of tetrahedra, tunnels are the holes of what is left, and there
    * are no voids.
@@ -294,8 +294,8 @@ public:
    * and the triangles of every vertex form one fan. Where sheets meet in an edge or a vertex, each gets
    * a copy of its points; what bounds a solid stays closed. Parts that touch along several edges in a row
    * stay joined, those that touch in one edge alone, or in a vertex, are cut apart: so cutting opens no
-   * tunnel. Folds are joined with folds only. Default on; off leaves one point per vertex. `Vertices` does
-   * not count the copies.
+   * tunnel. One side of folds is joined with folds only. Default on; off leaves one point per vertex.
+   * `Vertices` does not count the copies.
    */
   vtkSetMacro(ManifoldOutput, bool);
   vtkGetMacro(ManifoldOutput, bool);

@@ -50,15 +50,17 @@
  * independent of the others. Components and voids never get fewer; tunnels may merge. The surface is what
  * cutting leaves (see ManifoldOutput): where pieces of K_i touch in single points or edges only, it has more
  * components and fewer handles, and each wall of a void is a component too. `SurfaceGenus` is the sum over
- * its components, and at most `Genus`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md explains all of this.
+ * its components, and at most `Genus`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md
+ * explains all of this.
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
  * `Priority` (when popped), `Depth`, `Step` (of a tetrahedron: it is missing from C_j for j >= Step;
  * of a triangle: the first step at which it shows; -1: never), `Region` (tetrahedra joined by faces
  * that are not of M; -1 for triangles) and `SolidSides` (of a triangle: 1 if the solid is behind it plus 2
- * if it is in front), `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its field data has the
- * settings by the names of the properties, and the profile by the names of its columns after "Profile":
- * `ProfileVertices` and so on (`ProfileError` only if it has been asked for). vtkExtractCarvedLOD gives any level from it.
+ * if it is in front), `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its
+ * field data has the settings by the names of the properties, and the profile by the names of its columns
+ * after "Profile": `ProfileVertices` and so on (`ProfileError` only if it has been asked for).
+ * vtkExtractCarvedLOD gives any level from it.
  *
  * In enclosing mode (see Conformity) M need not be a union of faces. The triangles of M in the stream and
  * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:

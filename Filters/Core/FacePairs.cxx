@@ -103,7 +103,7 @@ private:
     }
     if (this->Stored.Folds == FoldSides::Both && !folds.empty())
     {
-      this->PairAcrossExterior(group);
+      this->PairAcross(group, true);
       return;
     }
     if (others.size() == 2)
@@ -112,7 +112,7 @@ private:
     }
     else
     {
-      this->PairAcrossExterior(others);
+      this->PairAcross(others, D == 3);
     }
     if (folds.size() == 2)
     {
@@ -130,16 +130,23 @@ private:
     return this->Mesh.Constraints[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
   }
 
-  /** The half-face in the exterior in front of the face at which a turn through it ends. */
-  int TurnThroughExterior(const FaceLife<D>& face, const Ridge& ridge) const
+  /** The half-face beside a face, in the exterior or else in what it bounds; or Outside. */
+  int Beside(const FaceLife<D>& face, bool exterior) const
   {
-    int at = InFront(this->Stored, face);
-    while (at != Outside)
+    return exterior ? InFront(this->Stored, face) : face.Behind;
+  }
+
+  /** The half-face at which a turn ends that starts at one, and stays in the exterior or out of it. */
+  int Turn(int start, const Ridge& ridge, bool exterior) const
+  {
+    for (int at = start; at >= 0;)
     {
       const int exit = AcrossCell(this->Mesh, at, ridge);
+      const bool isFold =
+        exterior && this->ConstraintOf(exit) >= 0 && this->Stored.Folds == FoldSides::Both;
       at = Across(this->Mesh, exit);
-      const bool isFold = this->ConstraintOf(exit) >= 0 && this->Stored.Folds == FoldSides::Both;
-      if (isFold || at == Solid || (at >= 0 && !this->IsExterior(at)))
+      // A stream that is damaged may have no face where it started.
+      if (isFold || at == start || this->IsExterior(at) != exterior)
       {
         return exit;
       }
@@ -147,13 +154,14 @@ private:
     return Outside;
   }
 
-  void PairAcrossExterior(const std::vector<int>& sides)
+  void PairAcross(const std::vector<int>& sides, bool exterior)
   {
     std::vector<int> atOutside;
     for (const int side : sides)
     {
+      const FaceLife<D>& face = FaceAt<D>(this->Shown, side);
       const int end =
-        this->TurnThroughExterior(FaceAt<D>(this->Shown, side), RidgeAt<D>(this->Shown, side));
+        this->Turn(this->Beside(face, exterior), RidgeAt<D>(this->Shown, side), exterior);
       if (end == Outside)
       {
         atOutside.push_back(side);
@@ -161,15 +169,25 @@ private:
       }
       for (const int other : sides)
       {
-        if (InFront(this->Stored, FaceAt<D>(this->Shown, other)) == end)
+        if (this->Beside(FaceAt<D>(this->Shown, other), exterior) == end)
         {
-          this->Pairs.Join(side, other);
+          this->JoinIfOpposite(side, other);
         }
       }
     }
     if (atOutside.size() == 2) // C0 is a manifold: two turns end there
     {
-      this->Pairs.Join(atOutside[0], atOutside[1]);
+      this->JoinIfOpposite(atOutside[0], atOutside[1]);
+    }
+  }
+
+  /** Joins two faces, if they are free, that pass their ridge in opposite directions. */
+  void JoinIfOpposite(int a, int b)
+  {
+    if (this->Pairs.Partner[a] < 0 && this->Pairs.Partner[b] < 0 &&
+      IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b))
+    {
+      this->Pairs.Join(a, b);
     }
   }
 

@@ -31,8 +31,10 @@ struct FacePairs
 };
 
 /**
- * Pairs the faces around each ridge by the exterior between them, by turns through the cells around it, never
- * by angles. Folds of one side only are no part of the exterior's boundary, and paired with each other.
+ * Pairs the faces around each ridge by turns through the cells around it, never by angles: in space across
+ * the exterior between them, in the plane, where two parts can only touch in a point, across the solid.
+ * Folds of one side only are no part of the exterior's boundary, and paired with each other. With both sides
+ * of folds, faces at a ridge of one are paired across the exterior.
  */
 template <int D>
 FacePairs PairFaces(const StoredStream<D>& stream, const Level<D>& level);

@@ -17,7 +17,7 @@ namespace carving
 
 /**
  * N: the tetrahedra that are left, the solid's too, glued to each other at faces only. Where they touch in
- * edges and vertices alone, N is apart; so no piece of a level's surface is smaller than one of N.
+ * edges and vertices alone, N is apart; so a level's surface has no more pieces, not counting walls of voids.
  */
 class GluedParts
 {
@@ -25,7 +25,7 @@ public:
   /** Per face of a tetrahedron: equal for those behind which the others hang together, -1 for no other. */
   using Labels = std::array<int, 4>;
 
-  /** Starts from C0, a ball. Follows what is left; both must outlive it. */
+  /** Starts from C0, a ball. Follows what is left, which must outlive it. */
   GluedParts(const Decomposition<3>& mesh, const LeftCells<3>& cells);
 
   /** Has the processor fetch what it needs to know of a cell that may soon be examined. */
@@ -56,7 +56,6 @@ public:
   void CountComponents();
 
 private:
-  void Prepare();
   bool IsBuried(int cell, int p, int q) const;
   void Reach(int cell, int from, int f, Labels& labels);
   bool AreSeveralOpen(const Labels& labels, const std::array<std::size_t, 4>& next) const;

@@ -19,6 +19,7 @@ public:
   Cutter(const StoredStream<D>& stream, const Level<D>& level)
     : Shown(level)
     , Pairs(PairFaces(stream, level))
+    , Fans(this->JoinCorners())
   {
   }
 
@@ -80,11 +81,18 @@ private:
     return false;
   }
 
-  bool HaveSameVertices(int a, int b) const
+  bool HaveSameVertices(int a, int b)
   {
     const std::array<int, D - 1> ridge = RidgeAt<D>(this->Shown, a);
-    return std::all_of(
-      ridge.begin(), ridge.end(), [&](int vertex) { return this->AreInOneFan(a, b, vertex); });
+    // A fan can be long: it is walked only where there is one that may still be whole.
+    return std::all_of(ridge.begin(), ridge.end(),
+             [&](int vertex)
+             {
+               return this->Fans.Find(this->CornerAt(a, vertex)) ==
+                 this->Fans.Find(this->CornerAt(b, vertex));
+             }) &&
+      std::all_of(
+        ridge.begin(), ridge.end(), [&](int vertex) { return this->AreInOneFan(a, b, vertex); });
   }
 
   /** Walks around the vertex, over joined sides, from the face of one side toward that of another. */
@@ -179,6 +187,7 @@ private:
 
   const Level<D>& Shown;
   FacePairs Pairs;
+  DisjointSets Fans; ///< corners that had the same vertex before anything was separated
 };
 
 } // namespace

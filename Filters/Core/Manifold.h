@@ -28,15 +28,17 @@ struct ManifoldLevel
  * Cuts along ridges (edges; in the plane, vertices) with more than two faces and at vertices whose
  * faces are not one fan.
  *
- * Where the surface has several sheets at a ridge, two faces stay joined if the exterior lies between them:
- * a turn through it, from cell to cell around the ridge, leads from one to the other. So what touches along
- * ridges stays joined, and the exterior is cut in two there; the surface is closed wherever it bounds a
+ * Where the surface has several sheets at an edge, two faces stay joined if the exterior lies between them:
+ * a turn through it, from cell to cell around the edge, leads from one to the other. So what touches along
+ * edges stays joined, and the exterior is cut in two there; the surface is closed wherever it bounds a
  * solid. Folds are joined with each other only, two at a ridge that has no other, if they are oriented
- * alike; with both sides of folds on the level, like all other faces.
+ * alike; with both sides of folds on the level, like all other
+ * faces.
  *
  * Where what touches is one edge alone, its two copies would have the same vertices. There, faces stay joined
  * if the solid lies between them, and what touches is cut apart; a fold is cut off. As at single vertices,
  * that can only separate pieces or end a tunnel: the surface has no more tunnels than the closed complex.
+ * In the plane too, what touches in a vertex is cut apart.
  */
 template <int D>
 ManifoldLevel<D> CutIntoManifold(const StoredStream<D>& stream, const Level<D>& level);

@@ -3,6 +3,8 @@
 
 #include "Adjacency.h"
 
+#include <algorithm>
+
 namespace carving
 {
 namespace
@@ -33,6 +35,17 @@ void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
   }
 }
 
+template <std::size_t N>
+bool HasRepeatedCorner(const std::vector<std::array<int, N>>& simplices)
+{
+  return std::any_of(simplices.begin(), simplices.end(),
+    [](std::array<int, N> corners)
+    {
+      std::sort(corners.begin(), corners.end());
+      return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
+    });
+}
+
 } // namespace
 
 template <int D>
@@ -45,7 +58,7 @@ StoredStream<D> Store(
   std::vector<int> solidSides(mesh.Surface.Facets.size(), 0);
   result.Mesh.Surface = mesh.Surface;
   result.Order.StepPriority = stream.StepPriority;
-  const bool all = !mesh.Kept.empty();
+  const bool all = D == 2 || !mesh.Kept.empty();
   const auto reserve = [numberOfCells](auto&... arrays) { (arrays.reserve(numberOfCells), ...); };
   reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Mesh.Constraints, result.Regions,
     result.Order.Step, result.Order.Priority, result.Order.Depth);
@@ -87,7 +100,8 @@ StoredStream<D> Store(
 template <int D>
 bool Connect(StoredStream<D>& stream, const std::vector<int>& solidSides)
 {
-  if (!FindAdjacency(stream.Mesh))
+  if (HasRepeatedCorner(stream.Mesh.Cells) || HasRepeatedCorner(stream.Mesh.Surface.Facets) ||
+    !FindAdjacency(stream.Mesh))
   {
     return false;
   }

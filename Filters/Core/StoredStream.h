@@ -48,8 +48,9 @@ template <int D>
 struct StoredStream
 {
   /**
-   * The cells of the complement only: a face on the solid has the neighbor Solid. In enclosing mode all
-   * cells, since the solid and what is kept may meet in faces that are not of M.
+   * The cells of the complement only: a face on the solid has the neighbor Solid. All cells in enclosing
+   * mode, since the solid and what is kept may meet in faces that are not of M, and in the plane, since
+   * levels are cut across the solid there.
    */
   Decomposition<D> Mesh;
   /** Per cell of `Mesh`. */
@@ -66,7 +67,7 @@ struct StoredStream
   std::vector<std::array<int, 2>> Sides;
 };
 
-/** Leaves the cells of the solid out, in exact mode. */
+/** Leaves the cells of the solid out where they are not needed, see StoredStream::Mesh. */
 template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
@@ -75,7 +76,7 @@ StoredStream<D> Store(
  * Finds `Mesh.Neighbors`, `Mesh.Constraints` and `Sides` anew from the cells and the facets, where
  * `solidSides` has per facet 1 for solid behind it plus 2 for solid in front of it: a stream that has
  * been read from a file is then as `Store` made it. Returns false if a face belongs to more than two
- * cells or cells overlap facets in an impossible way.
+ * cells, cells overlap facets in an impossible way, or some have a corner twice.
  */
 template <int D>
 bool Connect(StoredStream<D>& stream, const std::vector<int>& solidSides);

@@ -9,6 +9,7 @@
 #include "Level.h"
 #include "Manifold.h"
 #include "ManifoldCheck.h"
+#include "SurfaceTopology.h"
 #include "Validity.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using namespace carving;
 namespace
 {
 
-/** A level has as many faces as the profile says, and can be cut into a manifold. */
+/** A level has as many faces as the profile says; it can be cut into a manifold, which opens no tunnel. */
 template <int D>
 void CheckLevel(const Carving<D>& carved, int step)
 {
@@ -30,6 +31,7 @@ void CheckLevel(const Carving<D>& carved, int step)
   if constexpr (D == 3)
   {
     Require(checks::FindFaults(level, cut) == checks::ManifoldFaults());
+    Require(MeasureSurface(cut).Genus <= carved.Profile.Tunnels[step]);
   }
 }
 
@@ -91,6 +93,44 @@ void CheckRestoring(const StoredStream<D>& stored)
   Require(restored.Sides == stored.Sides);
 }
 
+/** Levels of a stream with some damage, as a file may have it, mean nothing; but cutting them ends. */
+template <int D>
+void CheckDamaged(Bytes& bytes, StoredStream<D> stored, const std::vector<int>& steps)
+{
+  std::vector<int> sides = GetSolidSides(stored);
+  const int numberOfPoints = static_cast<int>(stored.Mesh.Surface.Points.size());
+  for (int damages = bytes.Below(4); damages > 0 && !stored.Mesh.Cells.empty(); --damages)
+  {
+    const int index = bytes.Below(static_cast<int>(stored.Mesh.Cells.size()));
+    auto& cell = stored.Mesh.Cells[index];
+    switch (bytes.Below(4))
+    {
+      case 0:
+        std::swap(cell[0], cell[1]);
+        break;
+      case 1:
+        cell[0] = bytes.Below(numberOfPoints);
+        break;
+      case 2:
+        stored.Order.Step[index] = steps.back() - stored.Order.Step[index] % (1 + steps.back());
+        break;
+      default:
+        if (!sides.empty())
+        {
+          sides[index % sides.size()] = bytes.Below(4);
+        }
+    }
+  }
+  if (Connect(stored, sides))
+  {
+    for (const int step : steps)
+    {
+      const Level<D> level = ExtractLevel(stored, step);
+      Require(CutIntoManifold(stored, level).Faces.size() == level.Faces.size());
+    }
+  }
+}
+
 template <int D>
 void Check(Bytes& bytes)
 {
@@ -104,6 +144,7 @@ void Check(Bytes& bytes)
   CheckProfile(carved.Profile, mesh.Surface);
   CheckChain(carved);
   CheckRestoring(carved.Stored);
+  CheckDamaged(bytes, carved.Stored, carved.Steps);
 }
 
 } // namespace

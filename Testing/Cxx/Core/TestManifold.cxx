@@ -145,8 +145,8 @@ TEST(Manifold, StaysJoinedAlongSeveralEdges)
   EXPECT_EQ(topology.Genus, 0);
 }
 
-// A tetrahedron glued into a hole by all its edges around stays there: what closes a tunnel of the closed set
-// closes it on the surface too.
+// A lid that touches the rim of a hole in edges only stays there: what closes a tunnel of the closed set closes
+// it on the surface too.
 TEST(Manifold, KeepsALidThatIsHeldByEdges)
 {
   // A ring of prisms whose inner edges are those of a triangle; the lid is a double pyramid on it.

@@ -191,13 +191,14 @@ TEST(ContourCarver, CutsIntoClosedLoops)
   }
 }
 
-// Two squares that share a corner get a copy of it each with manifold output.
+// Two squares that share a corner are cut apart with manifold output: each gets a copy of it.
 TEST(ContourCarver, CutsTouchingSquaresApart)
 {
   vtkNew<vtkContourCarver> carver;
   Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 8);
   EXPECT_EQ(FieldValue(LastLevel(carver), "Vertices"), 7);
+  EXPECT_EQ(FieldValue(LastLevel(carver), "SurfaceComponents"), 2);
   for (const auto& degrees : Degrees(LastLevel(carver)))
   {
     EXPECT_EQ(degrees, std::pair(1, 1));

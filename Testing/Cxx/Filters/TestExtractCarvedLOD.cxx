@@ -163,7 +163,7 @@ TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
   EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
 }
 
-// A grid that is no stream, or that has lost an array or some cells, is refused in one error.
+// A grid that is no stream, has lost an array, or has a cell with a corner twice, is refused in one error.
 TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -175,7 +175,11 @@ TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
   withoutProfile->GetFieldData()->RemoveArray("ProfileVertices");
   auto withoutSides = CopyStream(carver);
   withoutSides->GetCellData()->RemoveArray("SolidSides");
-  for (vtkUnstructuredGrid* grid : { withoutSteps.Get(), withoutProfile.Get(), withoutSides.Get() })
+  auto flatCell = CopyStream(carver);
+  vtkDataArray* corners = flatCell->GetCells()->GetConnectivityArray();
+  corners->SetTuple1(0, corners->GetTuple1(1));
+  for (vtkUnstructuredGrid* grid :
+    { withoutSteps.Get(), withoutProfile.Get(), withoutSides.Get(), flatCell.Get() })
   {
     vtkNew<vtkExtractCarvedLOD> extract;
     Messages messages(extract);

@@ -86,7 +86,15 @@ TEST(GluedParts, AreCountedAsFromScratch)
         order[stream.Step[cell]] = cell;
       }
     }
-    LeftCells<3> cells(mesh, std::vector<CellState>(mesh.Cells.size(), CellState::Carvable));
+    std::vector<CellState> states(mesh.Cells.size(), CellState::Carvable);
+    for (std::size_t cell = 0; cell < states.size(); ++cell)
+    {
+      if (stream.Step[cell] == Stream::Never && random() % 2 == 0)
+      {
+        states[cell] = CellState::Stays;
+      }
+    }
+    LeftCells<3> cells(mesh, states);
     GluedParts parts(mesh, cells);
     const int exactFrom = static_cast<int>(random() % (stream.LastStep() + 1));
     for (int step = 1; step <= stream.LastStep(); ++step)

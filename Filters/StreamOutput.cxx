@@ -6,6 +6,7 @@
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellLocator.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -17,7 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStaticCellLocator.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -53,7 +53,8 @@ void InterpolateNewPoints(
   {
     surface->SetLines(input->GetLines());
   }
-  vtkNew<vtkStaticCellLocator> locator;
+  // Of equally close cells the same one every time; vtkStaticCellLocator's order depends on its threads.
+  vtkNew<vtkCellLocator> locator;
   locator->SetDataSet(surface);
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;

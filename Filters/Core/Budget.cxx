@@ -54,12 +54,11 @@ int Budget<D>::FindPartsSlot(int cell, GluedParts::Labels& labels)
 {
   GluedParts& parts = *this->Parts;
   labels = parts.Examine(cell);
-  if (CountLabels(labels) - 1 > this->GetRoom(Numbers) && !this->PartsAreExact)
+  if (CountLabels(labels) - 1 > this->GetRoom(Numbers) && !parts.GetIsExact())
   {
-    this->PartsAreExact = true;
-    parts.CountComponents();
+    parts.MakeExact();
   }
-  if (CountLabels(labels) < 2 || !this->PartsAreExact)
+  if (CountLabels(labels) < 2 || !parts.GetIsExact())
   {
     return -1;
   }

@@ -93,7 +93,6 @@ private:
 
   CarvedComplex<D> Rest;
   std::unique_ptr<GluedParts> Parts; ///< null in the plane and where components are not limited
-  bool PartsAreExact = false;
   BettiNumbers Limits;
   /** Slot `Amounts * number + amount - 1` and so on: what a cell waits for. Cells taken back remain. */
   std::array<std::priority_queue<Candidate>, NumberOfSlots> Waiting;

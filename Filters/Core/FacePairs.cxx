@@ -82,16 +82,23 @@ private:
     }
   }
 
-  /** Joins two faces of one kind if they pass their ridge in opposite directions. */
-  bool PairIfAlike(int a, int b)
+  /** Joins two faces, if they are free, that pass their ridge in opposite directions. */
+  bool JoinIfOpposite(int a, int b)
   {
-    const bool alike = FaceAt<D>(this->Shown, a).Fold == FaceAt<D>(this->Shown, b).Fold &&
+    const bool fit = this->Pairs.Partner[a] < 0 && this->Pairs.Partner[b] < 0 &&
       IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b);
-    if (alike)
+    if (fit)
     {
       this->Pairs.Join(a, b);
     }
-    return alike;
+    return fit;
+  }
+
+  /** The same if both are folds, or neither is. */
+  bool PairIfAlike(int a, int b)
+  {
+    return FaceAt<D>(this->Shown, a).Fold == FaceAt<D>(this->Shown, b).Fold &&
+      this->JoinIfOpposite(a, b);
   }
 
   void PairCrowded(const std::vector<int>& group)
@@ -178,16 +185,6 @@ private:
     if (atOutside.size() == 2) // C0 is a manifold: two turns end there
     {
       this->JoinIfOpposite(atOutside[0], atOutside[1]);
-    }
-  }
-
-  /** Joins two faces, if they are free, that pass their ridge in opposite directions. */
-  void JoinIfOpposite(int a, int b)
-  {
-    if (this->Pairs.Partner[a] < 0 && this->Pairs.Partner[b] < 0 &&
-      IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b))
-    {
-      this->Pairs.Join(a, b);
     }
   }
 

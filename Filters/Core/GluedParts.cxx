@@ -221,13 +221,14 @@ void GluedParts::KeepAsBridge(int cell, const Labels& labels)
   }
 }
 
-void GluedParts::CountComponents()
+void GluedParts::MakeExact()
 {
-  const int numberOfCells = static_cast<int>(this->Cells.Records.size());
+  this->IsExact = true;
   if (this->Components == 1)
   {
     return; // no less than that
   }
+  const int numberOfCells = static_cast<int>(this->Cells.Records.size());
   DisjointSets sets(numberOfCells);
   this->Components = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)

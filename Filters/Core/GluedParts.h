@@ -52,8 +52,12 @@ public:
   {
     return this->Components;
   }
-  /** Makes the number of components exact. It stays so if labels are joined before they are carved. */
-  void CountComponents();
+  /** Has them counted. The number stays exact if from then on labels are joined before they are carved. */
+  void MakeExact();
+  bool GetIsExact() const
+  {
+    return this->IsExact;
+  }
 
 private:
   bool IsBuried(int cell, int p, int q) const;
@@ -79,6 +83,7 @@ private:
   /** Of a search from behind the faces of a tetrahedron: 4 times a cell, plus the face it was entered by. */
   std::array<std::vector<int>, 4> Reached;
   int Components = 1;
+  bool IsExact = false;
   int Search = 0;
 };
 

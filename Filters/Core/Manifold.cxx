@@ -5,6 +5,7 @@
 #include "FacePairs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carving
 {
@@ -30,6 +31,7 @@ public:
     {
       while (this->SeparateCollision(group))
       {
+        this->FansAreWhole = false;
       }
     }
     return this->Number();
@@ -154,9 +156,9 @@ private:
     }
   }
 
-  ManifoldLevel<D> Number() const
+  ManifoldLevel<D> Number()
   {
-    DisjointSets sets = this->JoinCorners();
+    DisjointSets sets = this->FansAreWhole ? std::move(this->Fans) : this->JoinCorners();
     const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
     std::vector<int> firsts; // one corner for each vertex
     for (int corner = 0; corner < numberOfCorners; ++corner)
@@ -188,6 +190,7 @@ private:
   const Level<D>& Shown;
   FacePairs Pairs;
   DisjointSets Fans; ///< corners that had the same vertex before anything was separated
+  bool FansAreWhole = true;
 };
 
 } // namespace

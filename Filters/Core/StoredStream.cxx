@@ -2,8 +2,7 @@
 #include "StoredStream.h"
 
 #include "Adjacency.h"
-
-#include <algorithm>
+#include "Validity.h"
 
 namespace carving
 {
@@ -33,17 +32,6 @@ void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
       }
     }
   }
-}
-
-template <std::size_t N>
-bool HasRepeatedCorner(const std::vector<std::array<int, N>>& simplices)
-{
-  return std::any_of(simplices.begin(), simplices.end(),
-    [](std::array<int, N> corners)
-    {
-      std::sort(corners.begin(), corners.end());
-      return std::adjacent_find(corners.begin(), corners.end()) != corners.end();
-    });
 }
 
 } // namespace
@@ -100,7 +88,7 @@ StoredStream<D> Store(
 template <int D>
 bool Connect(StoredStream<D>& stream, const std::vector<int>& solidSides)
 {
-  if (HasRepeatedCorner(stream.Mesh.Cells) || HasRepeatedCorner(stream.Mesh.Surface.Facets) ||
+  if (!CornersDiffer(stream.Mesh.Cells) || !CornersDiffer(stream.Mesh.Surface.Facets) ||
     !FindAdjacency(stream.Mesh))
   {
     return false;

@@ -14,24 +14,6 @@ namespace carving
 namespace
 {
 
-/** Whether all corners of all cells or facets differ from each other. */
-template <class Tuples>
-bool CornersDiffer(const Tuples& tuples)
-{
-  bool differ = true;
-  for (const auto& tuple : tuples)
-  {
-    for (std::size_t i = 0; i < tuple.size(); ++i)
-    {
-      for (std::size_t j = 0; j < i; ++j)
-      {
-        differ &= tuple[i] != tuple[j];
-      }
-    }
-  }
-  return differ;
-}
-
 bool AreFinite(const std::vector<Point>& points)
 {
   bool finite = true;

@@ -29,6 +29,24 @@ bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
   return within;
 }
 
+/** Whether all corners of all cells or facets differ from each other. */
+template <class Tuples>
+bool CornersDiffer(const Tuples& tuples)
+{
+  bool differ = true;
+  for (const auto& tuple : tuples)
+  {
+    for (std::size_t i = 0; i < tuple.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        differ &= tuple[i] != tuple[j];
+      }
+    }
+  }
+  return differ;
+}
+
 /**
  * What contradicts what Mesh.h says of a decomposition, or an empty string: array lengths, indices,
  * cells and facets that do not fit together, coordinates that are not finite. Whether cells overlap in

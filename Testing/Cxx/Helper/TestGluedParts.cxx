@@ -102,7 +102,7 @@ TEST(GluedParts, AreCountedAsFromScratch)
       GluedParts::Labels labels = parts.Examine(order[step]);
       if (step == exactFrom)
       {
-        parts.CountComponents();
+        parts.MakeExact();
       }
       if (step >= exactFrom)
       {

@@ -5,9 +5,12 @@
 #include "CarverKind.h"
 #include "CarverNotes.h"
 #include "CompositeTree.h"
+#include "DataVersion.h"
 #include "HelperProcess.h"
+#include "HelperReuse.h"
 #include "InitialDistance.h"
 #include "LevelOutput.h"
+#include "OwnArrays.h"
 #include "StoredStream.h"
 #include "StreamError.h"
 #include "StreamOutput.h"
@@ -24,18 +27,18 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
-#include <cmath>
+#include <initializer_list>
 
 /** What is kept of a leaf of the input between updates. */
 template <int D>
 struct CarverSession<D>::Leaf
 {
-  vtkMTimeType Time = 0; ///< of the leaf; unique, so that it identifies the leaf as well
-  carving::HelperOptions Options;
-  carving::SolidRule Solid = carving::SolidRule::NonzeroWinding; ///< as the helper was told
-  vtkMTimeType InitialTime = 0; ///< of the given initial approximation
+  DataVersion Given;
+  DataVersion GivenInitial; ///< for InitialApproximation::Custom
+  HelperSettings Settings;  ///< as the helper was told
   typename Kind<D>::Input Input;
   typename Kind<D>::Input Initial;
   bool Empty = false;
@@ -89,6 +92,15 @@ const char* GetCarverStageName(int stage)
                                          : OwnStageNames[stage - carving::NumberOfStages];
 }
 
+bool IsAborted(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
 template <int D>
 CarverSession<D>::CarverSession(vtkAlgorithm* filter)
   : Filter(filter)
@@ -116,10 +128,14 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   {
     const auto leaves = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
     this->NumberOfLeaves = std::max(1, static_cast<int>(leaves.size()));
+    // The pipeline has passed the field data of the whole.
+    RemoveOwnFieldData(ports.Levels->GetFieldData());
+    RemoveOwnFieldData(ports.Stream->GetFieldData());
+    RemoveOwnFieldData(ports.Profile->GetFieldData());
     good = this->CarveTree(input, ports);
   }
   // What an abort did not get to may still be wanted.
-  if (!this->Filter->GetAbortExecute())
+  if (!IsAborted(this->Filter))
   {
     this->Cache = std::move(this->Used);
   }
@@ -136,28 +152,26 @@ bool CarverSession<D>::Report(int stage, double fraction)
   this->Filter->SetProgressText(GetCarverStageName(stage));
   // Rounds of resolving start over; progress does not.
   this->Filter->UpdateProgress(std::max(ofAll, this->Filter->GetProgress()));
-  return !this->Filter->GetAbortExecute();
+  return !IsAborted(this->Filter);
 }
 
 template <int D>
 std::shared_ptr<typename CarverSession<D>::Leaf> CarverSession<D>::Decompose(vtkPolyData* input)
 {
   const bool custom = this->Settings.Initial == carving::InitialApproximation::Custom;
-  const vtkMTimeType initialTime = custom && this->Initial ? this->Initial->GetMTime() : 0;
+  vtkPolyData* initial = custom ? this->Initial : nullptr;
   for (const std::shared_ptr<Leaf>& leaf : this->Cache)
   {
-    if (leaf->Time == input->GetMTime() && leaf->InitialTime == initialTime &&
-      leaf->Options == this->Settings &&
-      (leaf->Solid == this->Settings.Solid || leaf->Reply.SolidMatters == 0))
+    if (leaf->Given.IsOf(input) && leaf->GivenInitial.IsOf(initial) &&
+      WouldAnswerAlike(leaf->Reply, leaf->Settings, this->Settings, D))
     {
       return leaf;
     }
   }
   const auto leaf = std::make_shared<Leaf>();
-  leaf->Time = input->GetMTime();
-  leaf->Options = this->Settings;
-  leaf->Solid = this->Settings.Solid;
-  leaf->InitialTime = initialTime;
+  leaf->Given = DataVersion(input);
+  leaf->GivenInitial = DataVersion(initial);
+  leaf->Settings = this->Settings;
   std::string error = leaf->Input.Gather(input);
   leaf->Empty = leaf->Input.IsEmpty();
   if (error.empty() && custom && !this->Initial)
@@ -187,8 +201,8 @@ bool CarverSession<D>::RunHelper(Leaf& leaf, std::string& error)
 {
   const Timer timer(*this, TransferStage);
   carving::Job job;
-  static_cast<carving::HelperOptions&>(job) = leaf.Options;
-  job.Solid = leaf.Solid;
+  static_cast<carving::HelperOptions&>(job) = leaf.Settings;
+  job.Solid = leaf.Settings.Solid;
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, leaf.Reply,
@@ -231,16 +245,14 @@ bool CarverSession<D>::Carve(const Leaf& leaf, Result& result)
   {
     return false;
   }
-  const carving::BettiNumbers& budget = options.Budget;
-  if (std::any_of(budget.begin(), budget.end(), [](int limit) { return limit >= 0; }))
+  if (carving::HasLimits(options.Budget))
   {
     result.LeftByBudget = carving::CountLeft(regions, options, stream);
   }
   result.Stream = carving::Store(mesh, regions, stream);
   Kind<D>::Restore(leaf.Input, result.Stream.Mesh.Surface.Points);
   result.Stream.Measure = options.Measure;
-  result.Stream.Folds =
-    this->Settings.KeepBothFoldSides ? carving::FoldSides::Both : carving::FoldSides::One;
+  result.Stream.Folds = this->Settings.Folds;
   result.Profile = carving::ComputeProfile(result.Stream);
   carving::SetTopology(result.Profile, mesh, regions, stream);
   return true;
@@ -286,6 +298,35 @@ std::vector<int> CarverSession<D>::SelectLevels(const carving::Profile& profile)
 }
 
 template <int D>
+bool CarverSession<D>::WriteLevels(const Result& result, const std::vector<int>& steps,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* levels)
+{
+  // A walk over the stream finds the faces of so many levels, which bounds the time between two reports.
+  constexpr std::size_t levelsAtOnce = 16;
+  levels->SetNumberOfBlocks(static_cast<unsigned int>(steps.size()));
+  for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)
+  {
+    const std::size_t end = std::min(first + levelsAtOnce, steps.size());
+    const std::vector<carving::Level<D>> found =
+      carving::ExtractLevels(result.Stream, { steps.begin() + first, steps.begin() + end });
+    for (std::size_t i = first; i < end; ++i)
+    {
+      vtkNew<vtkPolyData> level;
+      FillLevel(result.Stream, result.Profile, grid, found[i - first],
+        this->Settings.ManifoldOutput, level);
+      const unsigned int block = static_cast<unsigned int>(i);
+      levels->SetBlock(block, level);
+      SetBlockName(levels, block, "LOD " + std::to_string(i));
+      if (!this->Report(OutputStage, (i + 1.0) / (steps.size() + 1.0)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <int D>
 bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
 {
   const std::shared_ptr<Leaf> leaf = this->Decompose(input);
@@ -294,9 +335,16 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     return false;
   }
   this->Used.push_back(leaf);
+  for (vtkDataObject* output :
+    std::initializer_list<vtkDataObject*>{ ports.Levels, ports.Stream, ports.Profile })
+  {
+    output->GetFieldData()->ShallowCopy(input->GetFieldData());
+    RemoveOwnFieldData(output->GetFieldData());
+  }
+  std::vector<std::string> notes = leaf->Input.Notes;
   if (leaf->Empty) // nothing in, nothing out
   {
-    AddNotes(leaf->Input.Notes, {}, 0, false, ports.Levels->GetFieldData());
+    AddNotes(notes, {}, 0, false, ports.Levels->GetFieldData());
     ++this->LeavesDone;
     return true;
   }
@@ -306,7 +354,7 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
     return false;
   }
   const Timer timer(*this, OutputStage);
-  std::vector<std::string> notes = leaf->Input.Notes;
+  const vtkSmartPointer<vtkPolyData> attributes = RenameForeignArrays(input, notes);
   if (result.LeftByBudget > 0)
   {
     notes.push_back("The budget of components, tunnels and voids leaves " +
@@ -316,31 +364,22 @@ bool CarverSession<D>::CarveLeaf(vtkPolyData* input, const CarverPorts& ports)
   AddNotes(notes, leaf->Reply, result.GuessedRegions,
     result.Profile.LastStep() == 0 && result.LeftByBudget == 0, ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(ports.Stream);
-  FillStream(result.Stream, result.Profile, input, leaf->Input.CellIds, grid);
+  FillStream(result.Stream, result.Profile, attributes, leaf->Input.CellIds, grid);
   AddSettings(this->Settings, leaf->Reply, grid->GetFieldData());
   FillProfile(result.Profile, vtkTable::SafeDownCast(ports.Profile));
   const std::vector<int> steps = this->SelectLevels(result.Profile);
-  const std::vector<carving::Level<D>> levels = carving::ExtractLevels(result.Stream, steps);
-  const unsigned int count = static_cast<unsigned int>(steps.size());
-  ports.Levels->SetNumberOfBlocks(count);
-  for (unsigned int i = 0; i < count; ++i)
+  if (!this->WriteLevels(result, steps, grid, ports.Levels))
   {
-    vtkNew<vtkPolyData> level;
-    FillLevel(result.Stream, result.Profile, grid, levels[i], this->Settings.ManifoldOutput, level);
-    ports.Levels->SetBlock(i, level);
-    SetBlockName(ports.Levels, i, "LOD " + std::to_string(i));
-    if (!this->Report(OutputStage, (i + 1.0) / (count + 1.0)))
-    {
-      return false;
-    }
+    return false;
   }
   if constexpr (D == 3)
   {
     if (this->Settings.AppendInput && !leaf->Reply.Result.Kept.empty())
     {
       vtkNew<vtkPolyData> level;
-      FillInputLevel(
-        leaf->Reply.Result.Unresolved, result.Profile, input, leaf->Input.CellIds, grid, level);
+      FillInputLevel(leaf->Reply.Result.Unresolved, result.Profile, attributes, leaf->Input.CellIds,
+        grid, level);
+      const unsigned int count = ports.Levels->GetNumberOfBlocks();
       ports.Levels->SetBlock(count, level);
       SetBlockName(ports.Levels, count, "LOD " + std::to_string(count));
     }
@@ -392,7 +431,7 @@ bool CarverSession<D>::CarveTree(vtkDataObject* input, const CarverPorts& ports)
         << "Block " << i << " \"" << child.Name << "\" is a " << child.Data->GetClassName()
         << ": only polygonal data can be carved. Apply Extract Surface first.");
     }
-    if (this->Filter->GetAbortExecute())
+    if (IsAborted(this->Filter))
     {
       return false;
     }

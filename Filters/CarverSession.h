@@ -19,6 +19,7 @@ class vtkAlgorithm;
 class vtkDataObject;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
+class vtkUnstructuredGrid;
 
 /** Where the results for a polydata or a composite of them go. */
 struct CarverPorts
@@ -39,6 +40,9 @@ enum CarverStage
   NumberOfCarverStages
 };
 const char* GetCarverStageName(int stage);
+
+/** Whether somebody wants the filter, or one before it in the pipeline, to stop. */
+bool IsAborted(vtkAlgorithm* filter);
 
 /** A session for meshes or contours. */
 class CarverSessionBase
@@ -92,6 +96,9 @@ private:
   /** Fills the profile's errors if they are needed. */
   bool Measure(const Leaf& leaf, Result& result);
   std::vector<int> SelectLevels(const carving::Profile& profile);
+  /** Fills a block for each step; returns false if it was aborted. */
+  bool WriteLevels(const Result& result, const std::vector<int>& steps, vtkUnstructuredGrid* grid,
+    vtkMultiBlockDataSet* levels);
   bool Report(int stage, double fraction);
 
   vtkAlgorithm* Filter;

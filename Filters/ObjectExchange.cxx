@@ -6,9 +6,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataObjectTypes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -52,43 +50,6 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   }
   append->Update();
   return append->GetOutput();
-}
-
-/** Writes the numeric arrays; of texts, other processes have no need. */
-void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
-{
-  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* array = fieldData->GetArray(i))
-    {
-      vtkNew<vtkDoubleArray> numbers;
-      numbers->DeepCopy(array);
-      stream << std::string(array->GetName()) << array->GetDataType()
-             << static_cast<int>(array->GetNumberOfTuples());
-      stream.Push(numbers->GetPointer(0), static_cast<unsigned int>(array->GetNumberOfTuples()));
-    }
-  }
-}
-
-/** Reads arrays, all of one component, as long as there are any. */
-void ReadNumbers(vtkMultiProcessStream& stream, vtkFieldData* fieldData)
-{
-  while (!stream.Empty())
-  {
-    std::string name;
-    int type = 0, count = 0;
-    stream >> name >> type >> count;
-    vtkNew<vtkDoubleArray> numbers;
-    numbers->SetNumberOfValues(count);
-    double* values = numbers->GetPointer(0);
-    unsigned int length = static_cast<unsigned int>(count);
-    stream.Pop(values, length);
-    vtkSmartPointer<vtkDataArray> array;
-    array.TakeReference(vtkDataArray::CreateDataArray(type));
-    array->DeepCopy(numbers);
-    array->SetName(name.c_str());
-    fieldData->AddArray(array);
-  }
 }
 
 } // namespace
@@ -190,12 +151,11 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int
     merged = {};
     return owner == sizes.begin() + self ? leaf : nullptr;
   }
-  const vtkMTimeType time = leaf ? leaf->GetMTime() : 0;
-  const bool changed = this->Largest(time != merged.Time) != 0;
+  const bool changed = this->Largest(!merged.Given.IsOf(leaf)) != 0;
   const int destination = static_cast<int>(owner - sizes.begin());
   if (changed)
   {
-    merged = { time, nullptr };
+    merged = { DataVersion(leaf), nullptr };
     vtkNew<vtkPolyData> nothing;
     std::vector<vtkSmartPointer<vtkDataObject>> parts;
     this->Controller->Gather(leaf ? leaf : nothing.Get(), parts, destination);
@@ -210,13 +170,12 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int
 
 vtkSmartPointer<vtkPolyData> ObjectExchange::GatherOnAll(vtkPolyData* mesh)
 {
-  const vtkMTimeType time = mesh ? mesh->GetMTime() : 0;
-  if (this->Largest(time != this->OnAll.Time) != 0)
+  if (this->Largest(!this->OnAll.Given.IsOf(mesh)) != 0)
   {
     vtkNew<vtkPolyData> nothing;
     std::vector<vtkSmartPointer<vtkDataObject>> parts;
     this->Controller->AllGather(mesh ? mesh : nothing.Get(), parts);
-    this->OnAll = { time, Append(parts) };
+    this->OnAll = { DataVersion(mesh), Append(parts) };
   }
   return this->OnAll.Mesh;
 }
@@ -261,14 +220,14 @@ void ObjectExchange::MatchFieldData(vtkDataObject* leaf)
   {
     return;
   }
-  vtkMultiProcessStream stream;
+  vtkNew<vtkPolyData> carrier;
   if (own)
   {
-    WriteNumbers(fieldData, stream);
+    carrier->SetFieldData(fieldData);
   }
-  this->Controller->Broadcast(stream, static_cast<int>(owner - owners.begin()));
+  this->Controller->Broadcast(carrier, static_cast<int>(owner - owners.begin()));
   if (!own)
   {
-    ReadNumbers(stream, fieldData);
+    fieldData->ShallowCopy(carrier->GetFieldData());
   }
 }

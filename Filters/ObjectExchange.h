@@ -6,8 +6,8 @@
 #ifndef ObjectExchange_h
 #define ObjectExchange_h
 
+#include "DataVersion.h"
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 #include <string>
 #include <vector>
@@ -48,7 +48,7 @@ public:
 private:
   struct Merged
   {
-    vtkMTimeType Time = 0; ///< of the part that this process gave
+    DataVersion Given; ///< the part that this process gave
     vtkSmartPointer<vtkPolyData> Mesh;
   };
 

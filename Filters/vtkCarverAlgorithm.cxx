@@ -12,6 +12,49 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+/** Whether an enumerator of the filter has the value of the core's, as which it is passed on. */
+template <class Enumerator>
+constexpr bool IsSame(int filters, Enumerator cores)
+{
+  return filters == static_cast<int>(cores);
+}
+
+using Filter = vtkCarverAlgorithm;
+using carving::Conformity;
+using carving::FoldSides;
+using carving::InitialApproximation;
+using carving::LevelTarget;
+using carving::PriorityMeasure;
+using carving::SolidRule;
+static_assert(IsSame(Filter::CONVEX_HULL, InitialApproximation::ConvexHull) &&
+  IsSame(Filter::BOUNDING_BOX, InitialApproximation::BoundingBox) &&
+  IsSame(Filter::CUSTOM, InitialApproximation::Custom));
+static_assert(IsSame(Filter::LONGEST_EDGE, PriorityMeasure::LongestEdge) &&
+  IsSame(Filter::VOLUME, PriorityMeasure::Volume) &&
+  IsSame(Filter::CIRCUMRADIUS, PriorityMeasure::Circumradius) &&
+  IsSame(Filter::EDGE_VOLUME, PriorityMeasure::EdgeVolume));
+static_assert(IsSame(Filter::NONZERO_WINDING, SolidRule::NonzeroWinding) &&
+  IsSame(Filter::EVEN_ODD, SolidRule::EvenOdd) &&
+  IsSame(Filter::SURFACE_ONLY, SolidRule::SurfaceOnly));
+static_assert(IsSame(Filter::EXACT, Conformity::Exact) &&
+  IsSame(Filter::ENCLOSING, Conformity::Enclosing) && IsSame(Filter::AUTO, Conformity::Auto));
+static_assert(
+  IsSame(Filter::ONE_SIDE, FoldSides::One) && IsSame(Filter::BOTH_SIDES, FoldSides::Both));
+static_assert(IsSame(Filter::VERTICES, LevelTarget::Vertices) &&
+  IsSame(Filter::TRIANGLES, LevelTarget::Triangles) &&
+  IsSame(Filter::FEATURE_SIZE, LevelTarget::FeatureSize) &&
+  IsSame(Filter::GENUS, LevelTarget::Genus) &&
+  IsSame(Filter::COMPONENTS, LevelTarget::Components) &&
+  IsSame(Filter::ERROR_BOUND, LevelTarget::ErrorBound) && IsSame(Filter::STEP, LevelTarget::Step));
+
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
   : Exchange(new ObjectExchange)
@@ -39,8 +82,66 @@ vtkCarverAlgorithm::~vtkCarverAlgorithm()
 vtkCxxSetObjectMacro(vtkCarverAlgorithm, Controller, vtkMultiProcessController);
 
 //------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetNumber(
+  const char* name, double number, double greatest, double& property)
+{
+  if (!std::isfinite(number))
+  {
+    vtkErrorMacro(<< name << " cannot be " << number << ": it stays " << property << ".");
+    return;
+  }
+  const double clamped = std::clamp(number, 0.0, greatest);
+  if (clamped != property)
+  {
+    property = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetDepthExponent(double value)
+{
+  this->SetNumber("DepthExponent", value, VTK_DOUBLE_MAX, this->DepthExponent);
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetBreadthRadius(double value)
+{
+  this->SetNumber("BreadthRadius", value, VTK_DOUBLE_MAX, this->BreadthRadius);
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetEnclosingTolerance(double value)
+{
+  this->SetNumber("EnclosingTolerance", value, 1.0, this->EnclosingTolerance);
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetSnapTolerance(double value)
+{
+  this->SetNumber("SnapTolerance", value, 1.0, this->SnapTolerance);
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetTimeLimit(double value)
+{
+  this->SetNumber("TimeLimit", value, VTK_DOUBLE_MAX, this->TimeLimit);
+}
+
+//------------------------------------------------------------------------------
+void vtkCarverAlgorithm::SetMemoryLimit(double value)
+{
+  this->SetNumber("MemoryLimit", value, VTK_DOUBLE_MAX, this->MemoryLimit);
+}
+
+//------------------------------------------------------------------------------
 void vtkCarverAlgorithm::AddLevelTarget(double target)
 {
+  if (!std::isfinite(target))
+  {
+    vtkErrorMacro(<< "A level target cannot be " << target << ": none is added.");
+    return;
+  }
   this->Targets.push_back(target);
   this->Modified();
 }
@@ -119,8 +220,7 @@ int vtkCarverAlgorithm::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-int vtkCarverAlgorithm::RequestData(
-  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+CarverSettings vtkCarverAlgorithm::GetSettings() const
 {
   CarverSettings settings;
   settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
@@ -142,8 +242,22 @@ int vtkCarverAlgorithm::RequestData(
   settings.NumberOfLevels = this->NumberOfLevels;
   settings.LevelTargets = this->Targets;
   settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
-  settings.KeepBothFoldSides = this->KeepBothFoldSides;
+  const bool both = this->KeepBothFoldSides == AUTO ? carving::HasLimits(settings.Carve.Budget)
+                                                    : this->KeepBothFoldSides == BOTH_SIDES;
+  settings.Folds = both ? carving::FoldSides::Both : carving::FoldSides::One;
   settings.ManifoldOutput = this->ManifoldOutput;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+int vtkCarverAlgorithm::RequestData(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  if (this->WasAborted)
+  {
+    this->SetAbortExecute(0); // which only pipelines before VTK 9.3 do themselves
+  }
+  const CarverSettings settings = this->GetSettings();
   const CarverPorts ports = { vtkMultiBlockDataSet::GetData(out, 0), vtkDataObject::GetData(out, 1),
     vtkDataObject::GetData(out, 2) };
   vtkSmartPointer<vtkDataObject> input = vtkDataObject::GetData(in[0], 0);
@@ -169,13 +283,14 @@ int vtkCarverAlgorithm::RequestData(
     ports.Stream->Initialize();
     ports.Profile->Initialize();
   }
+  this->WasAborted = IsAborted(this);
   if (parallel)
   {
     this->Exchange->Match(ports.Levels);
     this->Exchange->Match(ports.Stream);
     this->Exchange->Match(ports.Profile);
   }
-  return good || this->GetAbortExecute() ? 1 : 0;
+  return good || this->WasAborted ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +320,8 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  os << indent << "KeepBothFoldSides: " << (this->KeepBothFoldSides ? "On" : "Off") << "\n";
+  constexpr const char* folds[] = { "ONE_SIDE", "BOTH_SIDES", "AUTO" };
+  os << indent << "KeepBothFoldSides: " << folds[this->KeepBothFoldSides] << "\n";
   os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
   os << indent << "ComputeError: " << (this->ComputeError ? "On" : "Off") << "\n";
   os << indent << "LevelTargetType: "

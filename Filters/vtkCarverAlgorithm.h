@@ -16,6 +16,7 @@
 #include <vector> // for the level targets
 
 class CarverSessionBase;
+struct CarverSettings;
 class ObjectExchange;
 class vtkMultiProcessController;
 
@@ -65,6 +66,13 @@ public:
     AUTO = 2
   };
 
+  /** How folds show; AUTO is a third choice. */
+  enum FoldSides
+  {
+    ONE_SIDE = 0,
+    BOTH_SIDES = 1
+  };
+
   /** What a level target counts or measures. */
   enum LevelTargets
   {
@@ -84,8 +92,8 @@ public:
    * input point lies on it: coarser to begin with, but its corners are new vertices, and while they
    * last they draw spikes. CUSTOM is the mesh on input port 1: closed, of genus zero, in one piece, free
    * of self-intersections and around the input, which it may touch; an error names each of these that
-   * does not hold. Its vertices are new, but for those where the input has one too. This and the mesh on
-   * port 1 are what runs the helper program again when it changes.
+   * does not hold. Its vertices are new, but for those where the input has one too. A change of this, or
+   * of the mesh on port 1 for CUSTOM, runs the helper program again.
    */
   vtkSetClampMacro(InitialApproximation, int, CONVEX_HULL, CUSTOM);
   vtkGetMacro(InitialApproximation, int);
@@ -112,7 +120,7 @@ public:
    * carving advances from all sides instead of digging deep (snaking, section 5.1). At least 0, the
    * default, by which depth does not matter.
    */
-  vtkSetClampMacro(DepthExponent, double, 0.0, VTK_DOUBLE_MAX);
+  void SetDepthExponent(double value);
   vtkGetMacro(DepthExponent, double);
   ///@}
 
@@ -134,7 +142,7 @@ public:
    * the width of the gaps between parts works best; much wider, and a step reaches deep into them
    * again.
    */
-  vtkSetClampMacro(BreadthRadius, double, 0.0, VTK_DOUBLE_MAX);
+  void SetBreadthRadius(double value);
   vtkGetMacro(BreadthRadius, double);
   ///@}
 
@@ -165,8 +173,8 @@ public:
    * as the closed complex of M, the solid and all that is not carved. A tetrahedron that would exceed one
    * is left until that has changed, or for good, also where it is one of many in a step; so the last
    * level need not be M, and a note says so. Tunnels and pieces, but for walls of voids, are within the
-   * budget after cutting into manifolds, too, save for open sheets, which show as folds. With 1, 0 and 0
-   * carving ends in a tight wrap of M without gaps or holes. -1, the default: no limit. The first level
+   * budget after cutting into manifolds, too. With 1, 0 and 0 carving ends in a tight wrap of M without
+   * gaps or holes: closed, one piece, of genus zero (sheets show with both sides, see KeepBothFoldSides). -1, the default: no limit. The first level
    * has one component, so that 0 components means 1. Tetrahedra are decided on in the order of their
    * priorities: a budget goes to the widest gaps, not to those that would bring levels closest to M.
    *
@@ -226,7 +234,7 @@ public:
    * 100,000. The field data's `KeptDistance` says what has been reached. Default 0.02, range 0 to 1; 0: no
    * vertex is added, and levels have the mesh's alone.
    */
-  vtkSetClampMacro(EnclosingTolerance, double, 0.0, 1.0);
+  void SetEnclosingTolerance(double value);
   vtkGetMacro(EnclosingTolerance, double);
   ///@}
 
@@ -241,7 +249,7 @@ public:
    * that is smaller than the tolerance, only a finer grid can be used, or none. Default 0, range 0 to 1:
    * no point is ever moved. 1e-6 is worth a try.
    */
-  vtkSetClampMacro(SnapTolerance, double, 0.0, 1.0);
+  void SetSnapTolerance(double value);
   vtkGetMacro(SnapTolerance, double);
   ///@}
 
@@ -261,9 +269,9 @@ public:
    * The most that one attempt at a tetrahedralization may take, in seconds and in MiB; then it counts as
    * failed. 0, the default: no limit on memory, and a time in which TetGen does any mesh that it can.
    */
-  vtkSetClampMacro(TimeLimit, double, 0.0, VTK_DOUBLE_MAX);
+  void SetTimeLimit(double value);
   vtkGetMacro(TimeLimit, double);
-  vtkSetClampMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
+  void SetMemoryLimit(double value);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
@@ -271,21 +279,25 @@ public:
   /**
    * Number of levels to spread between C0, the first, and M, the last, so that their vertex counts
    * grow geometrically. Where there are not that many distinct vertex counts, the rest is spread by
-   * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. At least
-   * 1, default 8. Not used while level targets are set.
+   * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. Range 1 to
+   * 1,000, since all levels of an update are in memory at once; default 8. Not used while level targets
+   * are set.
    */
-  vtkSetClampMacro(NumberOfLevels, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfLevels, int, 1, 1000);
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
   ///@{
   /**
    * Whether folds, triangles of M with the exterior on both sides, show with both of their sides: the
-   * triangle and its opposite-facing copy (section 3.3). Default off: once each, oriented as in M.
+   * triangle and its opposite-facing copy (section 3.3). ONE_SIDE (off): once each, oriented as in M, so
+   * that sheets are open surfaces. BOTH_SIDES (on): levels are closed. AUTO (default): both sides where a
+   * budget is set (see MaximumComponents), since only closed surfaces have the pieces and tunnels that it
+   * speaks of.
    */
-  vtkSetMacro(KeepBothFoldSides, bool);
-  vtkGetMacro(KeepBothFoldSides, bool);
-  vtkBooleanMacro(KeepBothFoldSides, bool);
+  vtkSetClampMacro(KeepBothFoldSides, int, ONE_SIDE, AUTO);
+  vtkGetMacro(KeepBothFoldSides, int);
+  vtkBooleanMacro(KeepBothFoldSides, int);
   ///@}
 
   ///@{
@@ -396,7 +408,7 @@ protected:
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;
   int NumberOfLevels = 8;
-  bool KeepBothFoldSides = false;
+  int KeepBothFoldSides = AUTO;
   bool ManifoldOutput = true;
   bool ComputeError = false;
   int LevelTargetType = VERTICES;
@@ -406,6 +418,11 @@ private:
   vtkCarverAlgorithm(const vtkCarverAlgorithm&) = delete;
   void operator=(const vtkCarverAlgorithm&) = delete;
 
+  CarverSettings GetSettings() const;
+  /** Sets a property to the number within the range; one that is not finite is an error. */
+  void SetNumber(const char* name, double number, double greatest, double& property);
+
+  bool WasAborted = false; ///< by the last update
   vtkMultiProcessController* Controller = nullptr;
   std::unique_ptr<CarverSessionBase> Session;
   std::unique_ptr<ObjectExchange> Exchange;

@@ -71,10 +71,21 @@
  *
  * The field data of port 0 has a string array `Notes` if there is something the user should know.
  *
+ * Of the input's own arrays, those in cell and point data that have a name of the above are passed on under
+ * another one, "Input" before it, which a note tells. Field data of such names, which an older carving may
+ * have left, is dropped; all else is passed on to the three outputs.
+ *
  * **Helper program.** CGAL and TetGen run in a child process, carving-helper, so that no mesh can
  * take this process down and an abort takes effect at once. It is found next to the library or where
- * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept:
- * changing a property of this filter other than InitialApproximation does not run it again.
+ * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept. It
+ * runs again only where that could differ:
+ * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1 has changed;
+ * - Conformity has, except from AUTO to EXACT for a mesh that was met at the first attempt;
+ * - EnclosingTolerance has, for a mesh that is enclosed only;
+ * - SnapTolerance has, for a mesh that was snapped, or that AUTO has enclosed only;
+ * - SolidRule has, for a mesh of which the first attempts failed;
+ * - TimeLimit or MemoryLimit has, except raised for a mesh that was met or, with ENCLOSING, enclosed at the
+ *   first attempt.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
  * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and

@@ -61,8 +61,8 @@ OPTIONS
 
 LEVELS
     --levels N
-        Number of levels, spread so that their vertex counts grow geometrically.
-        Default: 8.
+        Number of levels, at most 1000, spread so that their vertex counts grow
+        geometrically. Default: 8.
 
     --vertices N,N,...
     --triangles N,N,...
@@ -166,9 +166,10 @@ PROPERTY OPTIONS
         and the profile: of the farthest point, never too small and at most 1 % too
         large. It takes longer than carving. Default: off, but for --error-bound.
 
-    --keep-both-fold-sides on|off
-        Whether a sheet without solid on either side shows with both of its sides.
-        Default: off. (Section 3.3)
+    --keep-both-fold-sides off|on|auto
+        Whether a sheet without solid on either side shows with both of its sides,
+        as a closed surface. Default: auto, where a maximum of components, tunnels
+        or voids is set. (Section 3.3)
 
     --manifold-output on|off
         Whether levels are cut apart where more than two triangles meet in an edge,
@@ -316,21 +317,22 @@ std::string ParseProperty(const std::string& name, const std::string& text, Opti
     : name == "solid-rule"
     ? ParseChoice(name, "nonzero-winding|even-odd|surface-only", text, options.SolidRule)
     : name == "conformity" ? ParseChoice(name, "exact|enclosing|auto", text, options.Conformity)
-    : name == "enclosing-tolerance"  ? ParseShare(name, text, options.EnclosingTolerance)
-    : name == "snap-tolerance"       ? ParseShare(name, text, options.SnapTolerance)
-    : name == "append-input"         ? ParseSwitch(name, text, options.AppendInput)
-    : name == "time-limit"           ? ParseNotNegative(name, text, options.TimeLimit)
-    : name == "memory-limit"         ? ParseNotNegative(name, text, options.MemoryLimit)
-    : name == "depth-exponent"       ? ParseNotNegative(name, text, options.DepthExponent)
-    : name == "breadth-radius"       ? ParseNotNegative(name, text, options.BreadthRadius)
-    : name == "compute-error"        ? ParseSwitch(name, text, options.ComputeError)
-    : name == "carve-voids"          ? ParseSwitch(name, text, options.CarveVoids)
-    : name == "maximum-components"   ? ParseLimit(name, text, options.MaximumComponents)
-    : name == "maximum-tunnels"      ? ParseLimit(name, text, options.MaximumTunnels)
-    : name == "maximum-voids"        ? ParseLimit(name, text, options.MaximumVoids)
-    : name == "keep-both-fold-sides" ? ParseSwitch(name, text, options.KeepBothFoldSides)
-    : name == "manifold-output"      ? ParseSwitch(name, text, options.ManifoldOutput)
-                                     : ParseSwitch(name, text, options.CarveExposed);
+    : name == "enclosing-tolerance" ? ParseShare(name, text, options.EnclosingTolerance)
+    : name == "snap-tolerance"      ? ParseShare(name, text, options.SnapTolerance)
+    : name == "append-input"        ? ParseSwitch(name, text, options.AppendInput)
+    : name == "time-limit"          ? ParseNotNegative(name, text, options.TimeLimit)
+    : name == "memory-limit"        ? ParseNotNegative(name, text, options.MemoryLimit)
+    : name == "depth-exponent"      ? ParseNotNegative(name, text, options.DepthExponent)
+    : name == "breadth-radius"      ? ParseNotNegative(name, text, options.BreadthRadius)
+    : name == "compute-error"       ? ParseSwitch(name, text, options.ComputeError)
+    : name == "carve-voids"         ? ParseSwitch(name, text, options.CarveVoids)
+    : name == "maximum-components"  ? ParseLimit(name, text, options.MaximumComponents)
+    : name == "maximum-tunnels"     ? ParseLimit(name, text, options.MaximumTunnels)
+    : name == "maximum-voids"       ? ParseLimit(name, text, options.MaximumVoids)
+    : name == "keep-both-fold-sides"
+    ? ParseChoice(name, "off|on|auto", text, options.KeepBothFoldSides)
+    : name == "manifold-output" ? ParseSwitch(name, text, options.ManifoldOutput)
+                                : ParseSwitch(name, text, options.CarveExposed);
 }
 
 } // namespace
@@ -411,10 +413,11 @@ std::string Parse(int argc, char* argv[], Options& options)
       {
         double number = 0.0;
         levelsGiven = true;
-        if (!ToNumber(optarg, number) || number < 1.0 || number > INT_MAX ||
+        if (!ToNumber(optarg, number) || number < 1.0 || number > 1000.0 ||
           number != std::floor(number))
         {
-          error = std::string("--levels wants a whole number above 0, not \"") + optarg + "\"";
+          error =
+            std::string("--levels wants a whole number from 1 to 1000, not \"") + optarg + "\"";
           break;
         }
         options.NumberOfLevels = static_cast<int>(number);

@@ -39,7 +39,7 @@ struct Options
   int MaximumComponents = -1;
   int MaximumTunnels = -1;
   int MaximumVoids = -1;
-  bool KeepBothFoldSides = false;
+  int KeepBothFoldSides = 2;
   bool ManifoldOutput = true;
   int SolidRule = 0;
   int Conformity = 2;

@@ -77,10 +77,9 @@ public:
         this->Expose(seed.Cell, 1.0);
       }
     }
-    const BettiNumbers& limits = options.Budget;
-    if (std::any_of(limits.begin(), limits.end(), [](int limit) { return limit >= 0; }))
+    if (HasLimits(options.Budget))
     {
-      this->Limits = std::make_unique<Budget<D>>(mesh, states, limits);
+      this->Limits = std::make_unique<Budget<D>>(mesh, states, options.Budget);
     }
   }
 
@@ -177,12 +176,16 @@ private:
     return this->Options.Depths.empty() ? hierarchical : this->Options.Depths[cell];
   }
 
-  /** Equation (2). */
+  /** Equation (2); finite, also where the power is not, and 0 for a measure of 0. */
   double ComputePriority(int cell, double depth) const
   {
     const double measure = this->Cells[cell].Priority;
     const double exponent = this->Options.DepthExponent;
-    return exponent == 0.0 ? measure : measure * std::pow(depth, -exponent);
+    if (exponent == 0.0 || measure == 0.0)
+    {
+      return measure;
+    }
+    return std::min(measure * std::pow(depth, -exponent), std::numeric_limits<double>::max());
   }
 
   /** One more face of the cell adjoins the exterior. */

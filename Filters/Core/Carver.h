@@ -21,6 +21,12 @@ namespace carving
 /** Numbers of components, tunnels and voids. */
 using BettiNumbers = std::array<int, 3>;
 
+/** Whether any of the limits of a budget is one; negative ones are none. */
+inline bool HasLimits(const BettiNumbers& budget)
+{
+  return budget[0] >= 0 || budget[1] >= 0 || budget[2] >= 0;
+}
+
 struct CarveOptions
 {
   PriorityMeasure Measure = PriorityMeasure::LongestEdge;

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <queue>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace carving
 {
@@ -67,6 +70,26 @@ SelectedStep SelectNearest(int last, double target)
   problem << "There is no step " << target << ": the stream ends with step " << last
           << ". The nearest is given instead.";
   return { step > last ? last : 0, problem.str() };
+}
+
+/** Adds steps in the middle of the widest gap, the first of equal ones, until there are as many as wanted. */
+void HalveGaps(int wanted, std::set<int>& steps)
+{
+  using Gap = std::pair<int, int>; // its width, and minus where it begins
+  std::priority_queue<Gap> gaps;
+  for (auto lower = steps.begin(), upper = std::next(lower); upper != steps.end(); lower = upper++)
+  {
+    gaps.push({ *upper - *lower, -*lower });
+  }
+  while (static_cast<int>(steps.size()) < wanted)
+  {
+    const auto [width, begin] = gaps.top();
+    const int half = width / 2;
+    gaps.pop();
+    steps.insert(half - begin);
+    gaps.push({ half, begin });
+    gaps.push({ width - half, begin - half });
+  }
 }
 
 } // namespace
@@ -156,35 +179,31 @@ std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type)
 
 std::vector<int> SpreadLevels(const Profile& profile, int count)
 {
-  const int last = profile.LastStep();
-  std::set<int> steps = { last };
-  if (count > 1)
+  const int numberOfSteps = static_cast<int>(profile.Vertices.size());
+  if (count >= numberOfSteps)
   {
-    steps.insert(0);
+    std::vector<int> all(numberOfSteps);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
   }
+  if (count == 1)
+  {
+    return { profile.LastStep() };
+  }
+  std::set<int> steps = { 0, profile.LastStep() };
+  // The most vertices so far, in which a target can be searched by bisection.
+  std::vector<int> most(profile.Vertices.size());
+  std::partial_sum(profile.Vertices.begin(), profile.Vertices.end(), most.begin(),
+    [](int a, int b) { return std::max(a, b); });
   const double first = profile.Vertices.front();
   const double ratio = profile.Vertices.back() / first;
   for (int i = 1; i < count - 1; ++i)
   {
     const double target = first * std::pow(ratio, static_cast<double>(i) / (count - 1));
-    steps.insert(std::max(0, LastStepWithin(profile.Vertices, target)));
+    const auto exceeding = std::upper_bound(most.begin(), most.end(), target);
+    steps.insert(std::max(0, static_cast<int>(exceeding - most.begin()) - 1));
   }
-  const std::size_t wanted = std::min<std::size_t>(count, profile.Vertices.size());
-  while (steps.size() < wanted)
-  {
-    // Halve the widest gap, the first of equal ones.
-    int middle = 0, widest = 0;
-    for (auto lower = steps.begin(), upper = std::next(lower); upper != steps.end();
-         lower = upper++)
-    {
-      if (*upper - *lower > widest)
-      {
-        widest = *upper - *lower;
-        middle = *lower + widest / 2;
-      }
-    }
-    steps.insert(middle);
-  }
+  HalveGaps(count, steps);
   return { steps.begin(), steps.end() };
 }
 

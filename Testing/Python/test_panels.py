@@ -90,6 +90,7 @@ class TestPanels(unittest.TestCase):
             "SetDepthMeasure": "HIERARCHY DISTANCE",
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",
+            "SetKeepBothFoldSides": "ONE_SIDE BOTH_SIDES AUTO",
             "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE GENUS COMPONENTS ERROR_BOUND STEP",
         }
         seen = set()

@@ -200,6 +200,25 @@ TEST(Carver, TakesGivenDepths)
   EXPECT_EQ(stream.Depth, options.Depths);
 }
 
+// Priorities are finite numbers whatever equation (2) is given: a volume that rounds to 0 by an infinite
+// power of a tiny depth, or a power beyond what a double holds.
+TEST(Carver, KeepsPrioritiesFinite)
+{
+  // The first has a volume of 0, the second one that is none.
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1e-200, 0, 0 }, { 0, 1e-200, 0 },
+    { 0, 0, 1e-200 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 1 } };
+  const Tetrahedralization mesh = small::Assemble(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {});
+  CarveOptions options;
+  options.Measure = PriorityMeasure::Volume;
+  options.Depths = { 1e-10, 1e-10 };
+  options.DepthExponent = 1e300;
+  Stream stream;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.Priority[0], 0.0);
+  EXPECT_TRUE(std::isfinite(stream.Priority[1]));
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
+}
+
 // A step takes along what lies within the breadth radius, and nothing that lies farther.
 TEST(Carver, CarvesWithinTheBreadthRadius)
 {

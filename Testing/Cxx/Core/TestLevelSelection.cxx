@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -54,6 +55,24 @@ TEST(SpreadLevels, KeepsTheEnds)
 {
   EXPECT_EQ(SpreadLevels(OneVertexPerStep(10, 20), 1), (std::vector<int>{ 10 }));
   EXPECT_EQ(SpreadLevels(OneVertexPerStep(10, 20), 2), (std::vector<int>{ 0, 10 }));
+}
+
+// However many levels of however many steps are wanted, each step is looked at a few times only: the steps
+// of a long stream come at once, all of them or nearly all.
+TEST(SpreadLevels, SpreadsMillionsOfLevels)
+{
+  const Profile distinct = OneVertexPerStep(10, 1'000'000);
+  const Profile equal = WithVertices(std::vector<int>(1'000'000, 8));
+  for (const Profile& profile : { distinct, equal })
+  {
+    const int steps = profile.LastStep() + 1;
+    std::vector<int> all(steps);
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(SpreadLevels(profile, 10'000'000), all);
+    const std::vector<int> nearlyAll = SpreadLevels(profile, steps - 1);
+    EXPECT_EQ(static_cast<int>(nearlyAll.size()), steps - 1);
+    EXPECT_TRUE(std::is_sorted(nearlyAll.begin(), nearlyAll.end()));
+  }
 }
 
 // A target picks the last step within it.

@@ -4,9 +4,11 @@
  * Budgets of components, tunnels and voids as properties of the filter.
  */
 #include "FilterTesting.h"
+#include "RandomModels.h"
 
 #include "vtkDataArray.h"
 #include "vtkExtractCarvedLOD.h"
+#include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkMultiBlockDataSet.h"
@@ -17,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 namespace
@@ -49,6 +52,19 @@ vtkIdType EulerCharacteristic(vtkPolyData* surface)
   }
   return static_cast<vtkIdType>(vertices.size()) - static_cast<vtkIdType>(edges.size()) +
     surface->GetNumberOfCells();
+}
+
+/** Edges that do not have exactly two triangles. */
+vtkIdType CountOpenEdges(vtkPolyData* surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->BoundaryEdgesOn();
+  edges->NonManifoldEdgesOn();
+  edges->Update();
+  return edges->GetOutput()->GetNumberOfCells();
 }
 
 int CountComponents(vtkPolyData* surface)
@@ -104,6 +120,46 @@ TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
   carver->SetMaximumVoids(1);
   carver->Update();
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 24);
+}
+
+// With budgets of one piece without tunnels and hollows every level is closed and each of its pieces is a
+// sphere, also where the mesh has sheets: they show with both sides, unless one is wanted.
+TEST(Budgets, GiveClosedSurfacesAroundSheets)
+{
+  std::mt19937_64 random(3);
+  const models::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const models::TriangleMesh fin = models::Moved(models::Sheet(2), { 0.5, 0.5, 0.5 });
+  std::vector<vtkSmartPointer<vtkPolyData>> meshes = { ToPolyData(models::Joined(box, fin)),
+    ToPolyData(models::Joined(box, models::Moved(fin, { 2, 0, 0 }))) };
+  for (int i = 0; i < 20; ++i)
+  {
+    meshes.push_back(ToPolyData(models::GridSoup(3 + i, random)));
+    meshes.push_back(ToPolyData(models::Joined(box, models::Soup(1 + i / 4, random))));
+  }
+  int open = 0;
+  for (const auto& mesh : meshes)
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    carver->SetInputData(mesh);
+    carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX); // for flat soups
+    carver->SetMaximumComponents(1);
+    carver->SetMaximumTunnels(0);
+    carver->SetMaximumVoids(0);
+    carver->SetNumberOfLevels(3);
+    carver->Update();
+    ASSERT_TRUE(messages.Errors.empty());
+    for (int level = 0; level < static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()); ++level)
+    {
+      EXPECT_EQ(CountOpenEdges(GetLevel(carver, level)), 0);
+      EXPECT_EQ(
+        EulerCharacteristic(GetLevel(carver, level)), 2 * CountComponents(GetLevel(carver, level)));
+    }
+    carver->SetKeepBothFoldSides(vtkTopologyCarver::ONE_SIDE);
+    carver->Update();
+    open += CountOpenEdges(LastLevel(carver)) > 0;
+  }
+  EXPECT_GT(open, 10);
 }
 
 // What the budgets leave is in the stored stream like all that stays: its last level is the carver's, and

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -205,4 +207,69 @@ TEST(CarvingProperties, AreClamped)
   EXPECT_EQ(carver->GetDepthExponent(), 0.0);
   EXPECT_EQ(carver->GetBreadthRadius(), 0.0);
   EXPECT_EQ(carver->GetPriorityMeasure(), vtkTopologyCarver::EDGE_VOLUME);
+}
+
+// A number that is not finite is refused with an error that names the property, which stays as it was.
+TEST(CarvingProperties, RefuseNumbersThatAreNotFinite)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  struct Case
+  {
+    const char* Name;
+    void (vtkTopologyCarver::*Set)(double);
+    double (vtkTopologyCarver::*Get)();
+  };
+  const Case cases[] = {
+    { "DepthExponent", &vtkTopologyCarver::SetDepthExponent, &vtkTopologyCarver::GetDepthExponent },
+    { "BreadthRadius", &vtkTopologyCarver::SetBreadthRadius, &vtkTopologyCarver::GetBreadthRadius },
+    { "EnclosingTolerance", &vtkTopologyCarver::SetEnclosingTolerance,
+      &vtkTopologyCarver::GetEnclosingTolerance },
+    { "SnapTolerance", &vtkTopologyCarver::SetSnapTolerance, &vtkTopologyCarver::GetSnapTolerance },
+    { "TimeLimit", &vtkTopologyCarver::SetTimeLimit, &vtkTopologyCarver::GetTimeLimit },
+    { "MemoryLimit", &vtkTopologyCarver::SetMemoryLimit, &vtkTopologyCarver::GetMemoryLimit },
+  };
+  for (const auto& [name, set, get] : cases)
+  {
+    (carver->*set)(0.5);
+    for (const double bad : { notANumber, infinity, -infinity })
+    {
+      const vtkMTimeType before = carver->GetMTime();
+      (carver->*set)(bad);
+      EXPECT_EQ((carver->*get)(), 0.5) << name;
+      EXPECT_EQ(carver->GetMTime(), before) << name;
+      ASSERT_EQ(messages.Errors.size(), 1u) << name;
+      EXPECT_NE(messages.Errors[0].find(name), std::string::npos) << messages.Errors[0];
+      messages.Errors.clear();
+    }
+  }
+  carver->AddLevelTarget(notANumber);
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_EQ(carver->GetNumberOfLevelTargets(), 0);
+}
+
+// Ten million levels are as many as there can be, and an abort ends their making.
+TEST(CarvingProperties, LimitTheNumberOfLevels)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ReadReal("bones.off"));
+  carver->SetNumberOfLevels(10'000'000);
+  EXPECT_EQ(carver->GetNumberOfLevels(), 1000);
+  int reports = 0;
+  const auto abort = [&]
+  {
+    const char* stage = carver->GetProgressText();
+    reports += stage && std::string(stage) == "output";
+    carver->SetAbortExecute(reports > 20);
+  };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(const_cast<void*>(static_cast<const void*>(&abort)));
+  observer->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<decltype(abort)*>(data))(); });
+  carver->AddObserver(vtkCommand::ProgressEvent, observer);
+  carver->Update();
+  EXPECT_EQ(reports, 21);
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
 }

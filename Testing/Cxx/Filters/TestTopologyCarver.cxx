@@ -197,7 +197,7 @@ TEST(TopologyCarver, PrintsItself)
     { "InitialApproximation: CONVEX_HULL", "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0",
       "DepthMeasure: HIERARCHY", "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On",
       "MaximumComponents: -1", "MaximumTunnels: -1", "MaximumVoids: -1",
-      "SolidRule: NONZERO_WINDING", "KeepBothFoldSides: Off", "ManifoldOutput: On",
+      "SolidRule: NONZERO_WINDING", "KeepBothFoldSides: AUTO", "ManifoldOutput: On",
       "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
   {
     EXPECT_NE(text.str().find(expected), std::string::npos) << expected;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which data object, in which state.
+ */
+#ifndef DataVersion_h
+#define DataVersion_h
+
+#include "vtkDataObject.h"
+#include "vtkWeakPointer.h"
+
+/**
+ * Remembers the state of a data object without keeping the object alive. A time stamp alone does not tell
+ * objects apart: those that share points which are newer than all else of them have the same.
+ */
+class DataVersion
+{
+public:
+  DataVersion() = default;
+  /** Null stands for no data. */
+  explicit DataVersion(vtkDataObject* data)
+    : Object(data)
+    , Time(data ? data->GetMTime() : 0)
+  {
+  }
+
+  /** Whether this is that object, and it has not changed since. */
+  bool IsOf(vtkDataObject* data) const
+  {
+    return this->Object == data && this->Time == (data ? data->GetMTime() : 0);
+  }
+
+private:
+  vtkWeakPointer<vtkDataObject> Object;
+  vtkMTimeType Time = 0; ///< 0 for no data: what has been deleted since is not taken for that
+};
+
+#endif

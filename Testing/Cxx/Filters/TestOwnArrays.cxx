@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Arrays of the input whose names the outputs use.
+ */
+#include "FilterTesting.h"
+#include "RandomModels.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+namespace
+{
+
+std::set<std::string> GetNames(vtkFieldData* data)
+{
+  std::set<std::string> names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    names.insert(data->GetAbstractArray(i)->GetName());
+  }
+  return names;
+}
+
+/** The field data of everything that comes out of a carving of a single mesh. */
+std::vector<vtkFieldData*> GetAllFieldData(vtkTopologyCarver* carver)
+{
+  std::vector<vtkFieldData*> all;
+  for (int port = 0; port < 3; ++port)
+  {
+    all.push_back(carver->GetOutputDataObject(port)->GetFieldData());
+  }
+  for (unsigned int i = 0; i < carver->GetOutput()->GetNumberOfBlocks(); ++i)
+  {
+    all.push_back(GetLevel(carver, static_cast<int>(i))->GetFieldData());
+  }
+  return all;
+}
+
+/** All names that a carving can write into field data. */
+std::set<std::string> GetOwnNames()
+{
+  std::mt19937_64 random(1);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(models::Soup(60, random)));
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->AppendInputOn();
+  carver->ComputeErrorOn();
+  carver->Update();
+  std::set<std::string> names = { "SnapDistance" }; // of a mesh that had to be snapped
+  for (vtkFieldData* data : GetAllFieldData(carver))
+  {
+    names.merge(GetNames(data));
+  }
+  EXPECT_TRUE(names.count("KeptDistance"));
+  EXPECT_TRUE(names.count("Notes"));
+  EXPECT_TRUE(names.count("ProfileError"));
+  return names;
+}
+
+void AddText(vtkFieldData* data, const std::string& name, const std::string& text)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name.c_str());
+  array->InsertNextValue(text);
+  data->AddArray(array);
+}
+
+bool HasText(vtkFieldData* data, const std::string& name, const std::string& text)
+{
+  auto* array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
+  return array && array->GetNumberOfValues() > 0 && array->GetValue(0) == text;
+}
+
+template <class ArrayType>
+void AddNumbers(vtkFieldData* data, const char* name, vtkIdType count, double first)
+{
+  vtkNew<ArrayType> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    array->SetTuple1(i, first + static_cast<double>(i));
+  }
+  data->AddArray(array);
+}
+
+} // namespace
+
+// Field data of an older carving says nothing of a new one: none of it is passed on; all else is.
+TEST(OwnArrays, DropFieldDataOfAnOlderCarving)
+{
+  auto input = TwoBoxes();
+  const std::set<std::string> own = GetOwnNames();
+  for (const std::string& name : own)
+  {
+    AddText(input->GetFieldData(), name, "stale");
+  }
+  AddText(input->GetFieldData(), "Unit", "mm");
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->Update();
+  for (vtkFieldData* data : GetAllFieldData(carver))
+  {
+    for (const std::string& name : own)
+    {
+      EXPECT_FALSE(HasText(data, name, "stale")) << name;
+    }
+  }
+  EXPECT_FALSE(GetLevel(carver, 0)->GetFieldData()->HasArray("KeptDistance"));
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_TRUE(HasText(carver->GetOutputDataObject(port)->GetFieldData(), "Unit", "mm"));
+  }
+}
+
+// The same holds for each leaf of a composite, and for the field data of the whole.
+TEST(OwnArrays, DropFieldDataOfLeaves)
+{
+  auto leaf = TwoBoxes();
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, leaf);
+  for (vtkFieldData* data : { leaf->GetFieldData(), scene->GetFieldData() })
+  {
+    AddText(data, "Rung", "stale");
+    AddText(data, "ProfileError", "stale");
+    AddText(data, "Notes", "stale");
+    AddText(data, "Unit", "mm");
+  }
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(scene);
+  carver->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* whole = vtkMultiBlockDataSet::SafeDownCast(carver->GetOutputDataObject(port));
+    for (vtkFieldData* data : { whole->GetFieldData(), whole->GetBlock(0)->GetFieldData() })
+    {
+      EXPECT_TRUE(HasText(data, "Unit", "mm"));
+      for (const char* name : { "Rung", "ProfileError", "Notes" })
+      {
+        EXPECT_FALSE(HasText(data, name, "stale")) << name;
+      }
+    }
+  }
+}
+
+// An old profile in the input's field data does not make the stream unreadable.
+TEST(OwnArrays, OldProfilesDoNotSpoilTheStream)
+{
+  auto input = TwoBoxes();
+  AddNumbers<vtkDoubleArray>(input->GetFieldData(), "ProfileError", 1234, 0.0);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->Update();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetInputData(carver->GetOutputDataObject(1));
+  extract->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
+}
+
+// Cell and point arrays that have a name of the outputs' own are kept under another one, and a note says so.
+TEST(OwnArrays, KeepTheInputsUnderAnotherName)
+{
+  auto input = TwoBoxes();
+  const vtkIdType cells = input->GetNumberOfCells(), points = input->GetNumberOfPoints();
+  double first = 1000.0;
+  const char* cellNames[] = { "Depth", "Priority", "Step", "Region", "SolidSides", "Error",
+    "vtkOriginalCellIds", "InputDepth" };
+  for (const char* name : cellNames)
+  {
+    AddNumbers<vtkDoubleArray>(input->GetCellData(), name, cells, first += 1000.0);
+  }
+  const char* pointNames[] = { "vtkOriginalPointIds", "SnapDistance", "Depth" };
+  for (const char* name : pointNames)
+  {
+    AddNumbers<vtkIntArray>(input->GetPointData(), name, points, first += 1000.0);
+  }
+  input->GetCellData()->SetActiveScalars("Depth");
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->SetNumberOfLevels(2);
+  carver->Update();
+  const std::string note = GetNotes(carver);
+  const auto renamed = [&](const std::string& name) -> std::string
+  {
+    const std::string quoted = "\"" + name + "\" as \"";
+    const std::size_t found = note.find(quoted);
+    return found == std::string::npos
+      ? name
+      : note.substr(
+          found + quoted.size(), note.find('"', found + quoted.size()) - found - quoted.size());
+  };
+  EXPECT_EQ(renamed("Priority"), "InputPriority");
+  EXPECT_EQ(renamed("Depth"), "InputInputDepth");
+  EXPECT_EQ(renamed("Error"), "Error");
+  vtkPolyData* level = GetLevel(carver, 1);
+  vtkDataArray* cellIds = level->GetCellData()->GetArray("vtkOriginalCellIds");
+  vtkDataArray* pointIds = level->GetPointData()->GetArray("vtkOriginalPointIds");
+  ASSERT_EQ(level->GetNumberOfCells(), cells);
+  first = 1000.0;
+  for (const char* name : cellNames)
+  {
+    vtkDataArray* array = level->GetCellData()->GetArray(renamed(name).c_str());
+    ASSERT_NE(array, nullptr) << name;
+    first += 1000.0;
+    for (vtkIdType i = 0; i < cells; ++i)
+    {
+      EXPECT_EQ(array->GetTuple1(i), first + cellIds->GetTuple1(i)) << name;
+    }
+  }
+  for (const char* name : pointNames)
+  {
+    const std::string newName = std::string(name) == "Depth" ? name : renamed(name);
+    vtkDataArray* array = level->GetPointData()->GetArray(newName.c_str());
+    ASSERT_NE(array, nullptr) << name;
+    first += 1000.0;
+    for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(array->GetTuple1(i), first + pointIds->GetTuple1(i)) << name;
+    }
+  }
+  EXPECT_STREQ(level->GetCellData()->GetScalars()->GetName(), "InputInputDepth");
+  EXPECT_TRUE(input->GetCellData()->HasArray("Priority")) << "the input is as it was";
+}
+
+// A level can be carved again: what the first carving said of its cells stays beside what the second says.
+TEST(OwnArrays, KeepTheArraysOfALevelThatIsCarvedAgain)
+{
+  vtkNew<vtkTopologyCarver> first, second;
+  first->SetInputData(TwoBoxes());
+  first->SetNumberOfLevels(2);
+  first->Update();
+  second->SetInputData(GetLevel(first, 0));
+  second->SetNumberOfLevels(1);
+  second->Update();
+  vtkCellData* data = GetLevel(second, 0)->GetCellData();
+  for (const char* name : { "Priority", "Depth", "vtkOriginalCellIds", "InputPriority",
+         "InputDepth", "InputvtkOriginalCellIds" })
+  {
+    EXPECT_TRUE(data->HasArray(name)) << name;
+  }
+}

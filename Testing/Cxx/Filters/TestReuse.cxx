@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What a filter keeps between updates, and when the helper program has to run again.
+ */
+#include "FilterTesting.h"
+#include "RandomModels.h"
+
+#include "vtkCellArray.h"
+#include "vtkContourCarver.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPoints.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+#include <string>
+
+namespace
+{
+
+/** Two boxes as one mesh each that share their points, which are newer than all else of them. */
+std::array<vtkSmartPointer<vtkPolyData>, 2> BoxesThatShareTheirPoints()
+{
+  auto first = TwoBoxes(), second = TwoBoxes();
+  vtkNew<vtkCellArray> polys[2];
+  for (vtkIdType i = 0; i < first->GetNumberOfPolys(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    first->GetPolys()->GetCellAtId(i, size, corners);
+    polys[i < 12 ? 0 : 1]->InsertNextCell(size, corners);
+  }
+  first->SetPolys(polys[0]);
+  second->SetPolys(polys[1]);
+  second->SetPoints(first->GetPoints());
+  first->GetPoints()->Modified();
+  EXPECT_EQ(first->GetMTime(), second->GetMTime());
+  return { first, second };
+}
+
+using Setter = std::function<void(vtkTopologyCarver*)>;
+
+/** Whether the helper program runs again when a property changes between two updates. */
+bool RunsAgain(vtkPolyData* mesh, const Setter& before, const Setter& change)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(mesh);
+  carver->SetNumberOfLevels(1);
+  before(carver);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  const OtherHelper missing("/there/is/no/such/helper");
+  change(carver);
+  carver->Update();
+  return !messages.Errors.empty();
+}
+
+void Nothing(vtkTopologyCarver*)
+{
+}
+
+/** A soup that TetGen does not cope with, so that AUTO encloses it. */
+vtkSmartPointer<vtkPolyData> Soup()
+{
+  std::mt19937_64 random(1);
+  return ToPolyData(models::Soup(60, random));
+}
+
+} // namespace
+
+// Two blocks that share their points are not taken for each other.
+TEST(Reuse, TellsBlocksApartThatShareTheirPoints)
+{
+  const auto boxes = BoxesThatShareTheirPoints();
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, boxes[0]);
+  scene->SetBlock(1, boxes[1]);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(scene);
+  carver->Update();
+  for (unsigned int block = 0; block < 2; ++block)
+  {
+    auto* levels = vtkMultiBlockDataSet::SafeDownCast(carver->GetOutput()->GetBlock(block));
+    auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(0));
+    EXPECT_EQ(level->GetBounds()[0], block == 0 ? 0.0 : 2.0);
+  }
+}
+
+// Another mesh on the input is carved anew even if it is exactly as old as the one before.
+TEST(Reuse, TellsInputsApartThatShareTheirPoints)
+{
+  const auto boxes = BoxesThatShareTheirPoints();
+  vtkNew<vtkTopologyCarver> carver;
+  for (int i = 0; i < 2; ++i)
+  {
+    carver->SetInputData(boxes[i]);
+    carver->Update();
+    EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], 2.0 * i);
+  }
+}
+
+// Another initial approximation is used even if it is exactly as old as the one before.
+TEST(Reuse, TellsInitialApproximationsApartThatShareTheirPoints)
+{
+  const carving::TriangleMesh both = models::Joined(
+    models::Box({ -1, -1, -1 }, { 2, 2, 2 }), models::Box({ -3, -3, -3 }, { 4, 4, 4 }));
+  carving::TriangleMesh near = both, far = both;
+  near.Triangles.resize(12);
+  far.Triangles.erase(far.Triangles.begin(), far.Triangles.begin() + 12);
+  auto initial = ToPolyData(near), other = ToPolyData(far);
+  other->SetPoints(initial->GetPoints());
+  initial->GetPoints()->Modified();
+  ASSERT_EQ(initial->GetMTime(), other->GetMTime());
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(0, ToPolyData(models::Box({ 0, 0, 0 }, { 1, 1, 1 })));
+  carver->SetInitialApproximation(vtkTopologyCarver::CUSTOM);
+  carver->SetNumberOfLevels(2);
+  carver->SetInputData(1, initial);
+  carver->Update();
+  EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], -1.0);
+  carver->SetInputData(1, other);
+  carver->Update();
+  EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], -3.0);
+}
+
+// What cannot change the result of a mesh that was met at the first attempt does not run the helper again.
+TEST(Reuse, KeepsAMeshThatWasMetAtOnce)
+{
+  const std::pair<const char*, Setter> changes[] = {
+    { "EnclosingTolerance", [](auto* c) { c->SetEnclosingTolerance(0.1); } },
+    { "SnapTolerance", [](auto* c) { c->SetSnapTolerance(1e-6); } },
+    { "Conformity", [](auto* c) { c->SetConformity(c->EXACT); } },
+    { "SolidRule", [](auto* c) { c->SetSolidRule(c->EVEN_ODD); } },
+    { "AppendInput", [](auto* c) { c->AppendInputOn(); } },
+    { "PriorityMeasure", [](auto* c) { c->SetPriorityMeasure(c->VOLUME); } },
+    { "DepthMeasure", [](auto* c) { c->SetDepthMeasure(c->DISTANCE); } },
+    { "MaximumComponents", [](auto* c) { c->SetMaximumComponents(1); } },
+    { "KeepBothFoldSides", [](auto* c) { c->KeepBothFoldSidesOn(); } },
+    { "ComputeError", [](auto* c) { c->ComputeErrorOn(); } },
+    { "LevelTarget", [](auto* c) { c->AddLevelTarget(16); } },
+  };
+  for (const auto& [name, change] : changes)
+  {
+    EXPECT_FALSE(RunsAgain(TwoBoxes(), Nothing, change)) << name;
+  }
+}
+
+// A limit that is raised changes nothing where no attempt failed.
+TEST(Reuse, KeepsAMeshWhenALimitIsRaised)
+{
+  const Setter limit = [](auto* c)
+  {
+    c->SetTimeLimit(100.0);
+    c->SetMemoryLimit(2000.0);
+  };
+  EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetTimeLimit(200.0); }));
+  EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetMemoryLimit(3000.0); }));
+  EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetMemoryLimit(0.0); }));
+}
+
+// What could change the result runs the helper again.
+TEST(Reuse, TetrahedralizesAgainWhereTheResultCouldDiffer)
+{
+  const std::pair<const char*, Setter> changes[] = {
+    { "InitialApproximation", [](auto* c) { c->SetInitialApproximation(c->BOUNDING_BOX); } },
+    { "Conformity", [](auto* c) { c->SetConformity(c->ENCLOSING); } },
+    { "a lower TimeLimit", [](auto* c) { c->SetTimeLimit(1.0); } },
+    { "a lower MemoryLimit", [](auto* c) { c->SetMemoryLimit(500.0); } },
+  };
+  for (const auto& [name, change] : changes)
+  {
+    EXPECT_TRUE(RunsAgain(TwoBoxes(), Nothing, change)) << name;
+  }
+}
+
+// A mesh that is enclosed only depends on how closely, and on how it is tried to be met before.
+TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
+{
+  const Setter enclosing = [](auto* c) { c->SetConformity(c->ENCLOSING); };
+  const auto soup = Soup();
+  EXPECT_TRUE(RunsAgain(soup, enclosing, [](auto* c) { c->SetEnclosingTolerance(0.1); }));
+  EXPECT_TRUE(RunsAgain(soup, enclosing, [](auto* c) { c->SetConformity(c->AUTO); }));
+  EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSnapTolerance(1e-6); }));
+  EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
+}
+
+// Contours have neither attempts nor tolerances: only the initial approximation runs the helper again.
+TEST(Reuse, KeepsContours)
+{
+  vtkNew<vtkContourCarver> carver;
+  Messages messages(carver);
+  const auto square = ToPolyData(models::Sheet(2));
+  carver->SetInputData(square);
+  carver->Update();
+  const OtherHelper missing("/there/is/no/such/helper");
+  carver->SetConformity(vtkContourCarver::EXACT);
+  carver->SetEnclosingTolerance(0.1);
+  carver->SetSnapTolerance(0.1);
+  carver->SetTimeLimit(5.0);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  carver->SetInitialApproximation(vtkContourCarver::BOUNDING_BOX);
+  carver->Update();
+  EXPECT_FALSE(messages.Errors.empty());
+}

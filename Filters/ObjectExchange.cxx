@@ -6,7 +6,9 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObjectTypes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -50,6 +52,46 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   }
   append->Update();
   return append->GetOutput();
+}
+
+/** Writes the numeric arrays; of texts, other processes have no need. */
+void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
+{
+  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* array = fieldData->GetArray(i))
+    {
+      vtkNew<vtkDoubleArray> numbers;
+      numbers->DeepCopy(array);
+      const char* name = array->GetName();
+      stream << (name != nullptr) << std::string(name ? name : "") << array->GetDataType()
+             << array->GetNumberOfComponents() << static_cast<int>(array->GetNumberOfTuples());
+      stream.Push(numbers->GetPointer(0), static_cast<unsigned int>(numbers->GetNumberOfValues()));
+    }
+  }
+}
+
+/** Reads arrays as long as there are any. */
+void ReadNumbers(vtkMultiProcessStream& stream, vtkFieldData* fieldData)
+{
+  while (!stream.Empty())
+  {
+    bool named = false;
+    std::string name;
+    int type = 0, components = 0, count = 0;
+    stream >> named >> name >> type >> components >> count;
+    vtkNew<vtkDoubleArray> numbers;
+    numbers->SetNumberOfComponents(components);
+    numbers->SetNumberOfTuples(count);
+    double* values = numbers->GetPointer(0);
+    unsigned int length = static_cast<unsigned int>(numbers->GetNumberOfValues());
+    stream.Pop(values, length);
+    vtkSmartPointer<vtkDataArray> array;
+    array.TakeReference(vtkDataArray::CreateDataArray(type));
+    array->DeepCopy(numbers);
+    array->SetName(named ? name.c_str() : nullptr);
+    fieldData->AddArray(array);
+  }
 }
 
 } // namespace
@@ -220,14 +262,14 @@ void ObjectExchange::MatchFieldData(vtkDataObject* leaf)
   {
     return;
   }
-  vtkNew<vtkPolyData> carrier;
+  vtkMultiProcessStream stream;
   if (own)
   {
-    carrier->SetFieldData(fieldData);
+    WriteNumbers(fieldData, stream);
   }
-  this->Controller->Broadcast(carrier, static_cast<int>(owner - owners.begin()));
+  this->Controller->Broadcast(stream, static_cast<int>(owner - owners.begin()));
   if (!own)
   {
-    fieldData->ShallowCopy(carrier->GetFieldData());
+    ReadNumbers(stream, fieldData);
   }
 }

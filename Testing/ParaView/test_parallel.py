@@ -51,6 +51,34 @@ for i, name in enumerate(names):
     output.GetMetaData(i).Set(output.NAME(), "block %d" % i)
 """
 
+# Field data of any kind: a matrix, and an array without a name.
+MESH_WITH_FIELD_DATA = SPREAD + """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+if rank == count - 1:
+    output.ShallowCopy(read("two-spheres.ply"))
+    for name, components in (("Frame", 3), (None, 1)):
+        array = vtkDoubleArray()
+        if name:
+            array.SetName(name)
+        array.SetNumberOfComponents(components)
+        for i in range(4):
+            array.InsertNextTuple([10.0 * i + k for k in range(components)])
+        output.GetFieldData().AddArray(array)
+"""
+# A point on each process that has them.
+CHECK_FIELD_DATA = """
+from vtkmodules.vtkCommonCore import vtkPoints
+data = self.GetInputDataObject(0, 0).GetFieldData()
+arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
+tuples = [[array.GetTuple(i) for i in range(4)] for array in arrays
+          if array and array.GetNumberOfTuples() == 4 and array.GetName() in ("Frame", None)]
+wanted = [[tuple(10.0 * i + k for k in range(components)) for i in range(4)] for components in (3, 1)]
+points = vtkPoints()
+if not [w for w in wanted if w not in tuples]:
+    points.InsertNextPoint(0, 0, 0)
+self.GetOutputDataObject(0).SetPoints(points)
+"""
+
 
 def make_source(script, kind):
     return simple.ProgrammableSource(
@@ -99,6 +127,14 @@ class TestParallel(unittest.TestCase):
         extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
         for time in (0, 20, 49):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
+
+    def test_field_data_reaches_all_processes(self):
+        """All processes know the stream's field data, with or without a name, of any number of components."""
+        carver = simple.TopologyCarver(Input=make_source(MESH_WITH_FIELD_DATA, "vtkPolyData"))
+        check = simple.ProgrammableFilter(
+            Input=simple.OutputPort(carver, STREAM), Script=CHECK_FIELD_DATA, OutputDataSetType="vtkPolyData")
+        processes = simple.servermanager.ActiveConnection.GetNumberOfDataPartitions()
+        self.assertEqual(counts(check)[0], processes)
 
     def test_changing_the_level_does_not_gather_again(self):
         """Another level of a mesh in parts needs no helper program."""

@@ -266,8 +266,9 @@ public:
 
   ///@{
   /**
-   * The most that one attempt at a tetrahedralization may take, in seconds and in MiB; then it counts as
-   * failed. 0, the default: no limit on memory, and a time in which TetGen does any mesh that it can.
+   * The most that one attempt at a tetrahedralization may take, in seconds by the clock and in MiB; then it
+   * counts as failed. 0, the default: no limit on memory, and processor time in which TetGen does any mesh
+   * that it can, so that what comes out does not depend on how busy the machine is.
    */
   void SetTimeLimit(double value);
   vtkGetMacro(TimeLimit, double);

@@ -158,8 +158,8 @@ PROPERTY OPTIONS
 
     --time-limit SECONDS
     --memory-limit MIB
-        The most that one attempt at a tetrahedralization may take. Default: 0, no
-        limit that you would notice.
+        The most that one attempt at a tetrahedralization may take, seconds by the
+        clock. Default: 0, no limit that you would notice.
 
     --compute-error on|off
         Whether the distance of every level from the mesh is computed, for the stream

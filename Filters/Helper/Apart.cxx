@@ -25,26 +25,57 @@ constexpr std::size_t Size = 8192;
 constexpr int Failed = 3;
 constexpr int OutOfMemory = 4;
 
-void Limit(const Limits& limits)
+double ToSeconds(const timeval& time)
+{
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/** Its signal, SIGALRM or SIGPROF, ends the process. */
+void SetTimer(decltype(ITIMER_REAL) which, double seconds)
+{
+  const double counted = std::min(seconds, 1e9); // what the timer can count
+  const double whole = std::floor(counted);
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(999998.0 * (counted - whole)) + 1;
+  setitimer(which, &timer, nullptr);
+}
+
+/** What is left of the processor time that this process may take. */
+double ProcessorSecondsLeft()
+{
+  itimerval timer = {};
+  getitimer(ITIMER_PROF, &timer);
+  const double left = ToSeconds(timer.it_value);
+  return left > 0.0 ? left : HUGE_VAL;
+}
+
+void Limit(const Limits& limits, double processorSeconds)
 {
   if (limits.Seconds > 0.0)
   {
-    const double seconds = std::min(limits.Seconds, 1e9); // what the timer can count
-    const double whole = std::floor(seconds);
-    itimerval timer = {};
-    timer.it_value.tv_sec = static_cast<time_t>(whole);
-    timer.it_value.tv_usec = static_cast<suseconds_t>(999998.0 * (seconds - whole)) + 1;
-    setitimer(ITIMER_REAL, &timer, nullptr); // its signal ends the process
+    SetTimer(ITIMER_REAL, limits.Seconds);
+  }
+  if (processorSeconds < HUGE_VAL)
+  {
+    SetTimer(ITIMER_PROF, processorSeconds);
   }
   LimitMemory(limits.Mebibytes);
 }
 
+bool IsEndedBy(int signal, int status)
+{
+  return WIFSIGNALED(status) && WTERMSIG(status) == signal;
+}
+
 std::string Describe(int status, const Limits& limits)
 {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+  if (IsEndedBy(SIGALRM, status) || IsEndedBy(SIGPROF, status))
   {
+    const bool byClock = IsEndedBy(SIGALRM, status);
     char text[64];
-    std::snprintf(text, sizeof(text), "took longer than %g s", limits.Seconds);
+    std::snprintf(text, sizeof(text), "took longer than %g s%s",
+      byClock ? limits.Seconds : limits.ProcessorSeconds, byClock ? "" : " of processor time");
     return text;
   }
   if (WIFSIGNALED(status))
@@ -60,6 +91,18 @@ std::string Describe(int status, const Limits& limits)
     default:
       return "failed";
   }
+}
+
+/** A crash or a limit is to end it by a signal, which can be named, whatever the host does with those. */
+void LetSignalsEndThis()
+{
+  for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPROF })
+  {
+    std::signal(signal, SIG_DFL);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
 } // namespace
@@ -78,6 +121,8 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
 {
   std::fflush(nullptr);
   std::cout.flush();
+  const double left = ProcessorSecondsLeft();
+  const double own = limits.ProcessorSeconds > 0.0 ? limits.ProcessorSeconds : HUGE_VAL;
   const pid_t self = getpid();
   const pid_t child = fork();
   if (child < 0)
@@ -91,12 +136,8 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
     {
       _exit(Failed); // it died before it could have been a signal
     }
-    // A crash is to end it by a signal, which can be named, whoever has put a handler there.
-    for (const int crash : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT })
-    {
-      std::signal(crash, SIG_DFL);
-    }
-    Limit(limits);
+    LetSignalsEndThis();
+    Limit(limits, std::min(own, left));
     int code = OutOfMemory;
     try
     {
@@ -109,8 +150,19 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
     _exit(code); // destructors are the parent's
   }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+  rusage used = {};
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
   {
+  }
+  if (left < HUGE_VAL)
+  {
+    const bool usedUp = left <= own && IsEndedBy(SIGPROF, status);
+    const double rest = left - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
+    if (usedUp || rest <= 0.0)
+    {
+      std::raise(SIGPROF); // as this process's timer would
+    }
+    SetTimer(ITIMER_PROF, rest);
   }
   return Describe(status, limits);
 }

@@ -12,14 +12,15 @@
 /** 0: no limit. */
 struct Limits
 {
-  double Seconds = 0.0;
+  double Seconds = 0.0; ///< by the clock, however little of the processor it gets meanwhile
   double Mebibytes = 0.0;
+  double ProcessorSeconds = 0.0; ///< its own and those of what it runs apart in turn
 };
 
 /**
  * Forks, and calls `work` in the child, which sees all that there is here and changes none of it. Returns
  * an empty string if `work` returned true, else what ended it. What it has added to `Messages` is
- * kept.
+ * kept. A process whose own processor time is limited gives a child no more than what is left of it.
  */
 std::string RunApart(const Limits& limits, const std::function<bool()>& work);
 

@@ -33,23 +33,30 @@ constexpr double TooManyCrossings = 2.0;
 
 /**
  * Time enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles, a hundred
- * times that where it puts points on them, and for ever where it never ends to.
+ * times that where it puts points on them, and for ever where it never ends to. Processor time, so that what
+ * comes out does not depend on what else the machine has to do.
  */
 double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
 {
   const double patience = surfacePoints == SurfacePoints::None
     ? 5.0 + 1e-4 * static_cast<double>(numberOfFacets)
     : 3.0 + 5e-4 * static_cast<double>(numberOfFacets);
-  return job.TimeLimit > 0.0             ? job.TimeLimit
-    : job.Conformity == Conformity::Auto ? patience
-                                         : 6.0 * patience;
+  return job.Conformity == Conformity::Auto ? patience : 6.0 * patience;
+}
+
+Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
+{
+  const bool isGiven = job.TimeLimit > 0.0;
+  return { job.TimeLimit, job.MemoryLimit,
+    isGiven ? 0.0 : PatienceOfAttempt(job, surfacePoints, numberOfFacets) };
 }
 
 /** For resolving and all attempts together. */
-double PatienceOfExact(const Job& job, std::size_t numberOfFacets)
+Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
 {
-  return job.Conformity == Conformity::Auto ? 50.0 + 1.5e-4 * static_cast<double>(numberOfFacets)
-                                            : 0.0;
+  const bool isAuto = job.Conformity == Conformity::Auto;
+  return { 0.0, job.MemoryLimit,
+    isAuto ? 50.0 + 1.5e-4 * static_cast<double>(numberOfFacets) : 0.0 };
 }
 
 double MaximumPairs(const Job& job, std::size_t numberOfFacets)
@@ -118,8 +125,7 @@ bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& repl
 bool TryOrders(const std::string& rung, int first, int last, SurfacePoints surfacePoints,
   const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
 {
-  const Limits limits = { PatienceOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size()),
-    job.MemoryLimit };
+  const Limits limits = LimitsOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size());
   for (int order = first; order < last; ++order)
   {
     reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
@@ -282,7 +288,7 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
     {
       continue;
     }
-    const Limits limits = { PatienceOfExact(job, numberOfFacets), job.MemoryLimit };
+    const Limits limits = LimitsOfExact(job, numberOfFacets);
     const std::string end =
       RunApart(limits, [&, climb = climb] { return (*climb)(job, reply, host, messages); });
     if (end.empty())
@@ -298,7 +304,7 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
   reply.Attempts = messages.Get();
   if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom)
   {
-    const Limits limits = { job.TimeLimit, job.MemoryLimit };
+    const Limits limits = { job.TimeLimit, job.MemoryLimit, 0.0 };
     const std::string end =
       RunApart(limits, [&] { return ClimbEnclosing(job, reply, host, messages); });
     if (end != "" && end != "failed") // which has said why

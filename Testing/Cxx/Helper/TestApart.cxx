@@ -3,9 +3,98 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
+#include <ctime>
+#include <sched.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
+
+namespace
+{
+
+Limits ByClock(double seconds)
+{
+  Limits limits;
+  limits.Seconds = seconds;
+  return limits;
+}
+
+Limits ByProcessor(double seconds)
+{
+  Limits limits;
+  limits.ProcessorSeconds = seconds;
+  return limits;
+}
+
+Limits ByMemory(double mebibytes)
+{
+  Limits limits;
+  limits.Mebibytes = mebibytes;
+  return limits;
+}
+
+bool Hang()
+{
+  for (;;)
+  {
+    pause();
+  }
+}
+
+/** Takes so many seconds of processor time. */
+bool Compute(double seconds)
+{
+  while (static_cast<double>(std::clock()) < seconds * CLOCKS_PER_SEC)
+  {
+  }
+  return true;
+}
+
+/** Leaves this process, and what it runs, one processor, and that to be shared with busy others. */
+class OneBusyProcessor
+{
+public:
+  explicit OneBusyProcessor(int numberOfOthers)
+  {
+    sched_getaffinity(0, sizeof(this->Before), &this->Before);
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(sched_getcpu(), &one);
+    sched_setaffinity(0, sizeof(one), &one);
+    for (int i = 0; i < numberOfOthers; ++i)
+    {
+      this->Others.push_back(fork());
+      if (this->Others.back() == 0)
+      {
+        Compute(60.0); // should nobody end it
+        _exit(0);
+      }
+    }
+  }
+
+  ~OneBusyProcessor()
+  {
+    for (const pid_t other : this->Others)
+    {
+      kill(other, SIGKILL);
+      waitpid(other, nullptr, 0);
+    }
+    sched_setaffinity(0, sizeof(this->Before), &this->Before);
+  }
+
+  OneBusyProcessor(const OneBusyProcessor&) = delete;
+  void operator=(const OneBusyProcessor&) = delete;
+
+private:
+  cpu_set_t Before;
+  std::vector<pid_t> Others;
+};
+
+} // namespace
 
 // Work that succeeds says nothing; what it leaves as message arrives.
 TEST(RunApart, SaysNothingOfSuccess)
@@ -48,26 +137,109 @@ TEST(RunApart, SurvivesACrash)
   EXPECT_EQ(end, "crashed (Aborted)");
 }
 
-// What hangs is ended when its time is over.
+// What hangs is ended when its time by the clock is over.
 TEST(RunApart, EndsWhatHangs)
 {
-  const std::string end = RunApart({ 0.2, 0.0 },
+  const std::string end = RunApart(ByClock(0.2), &Hang);
+  EXPECT_EQ(end, "took longer than 0.2 s");
+}
+
+// Time in which it does not compute is no processor time.
+TEST(RunApart, DoesNotCountSleep)
+{
+  const std::string end = RunApart(ByProcessor(0.1),
     []
     {
-      for (;;)
+      usleep(500000);
+      return true;
+    });
+  EXPECT_EQ(end, "");
+}
+
+// Time in which others have the processor is no processor time.
+TEST(RunApart, DoesNotCountTheTimeOfOthers)
+{
+  const OneBusyProcessor others(4);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(RunApart(ByProcessor(0.4), [] { return Compute(0.2); }), "");
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_GT(seconds.count(), 0.4);
+}
+
+// What computes for longer than its processor time is ended.
+TEST(RunApart, EndsWhatComputesTooLong)
+{
+  const std::string end = RunApart(ByProcessor(0.2), [] { return Compute(HUGE_VAL); });
+  EXPECT_EQ(end, "took longer than 0.2 s of processor time");
+}
+
+// What runs apart within it is paid for out of its processor time.
+TEST(RunApart, CountsTheTimeOfItsOwn)
+{
+  const std::string end = RunApart(ByProcessor(0.5),
+    []
+    {
+      for (int i = 0; i < 4; ++i)
       {
-        pause();
+        RunApart({}, [] { return Compute(0.2); });
       }
       return true;
     });
-  EXPECT_EQ(end.find("took longer"), 0u) << end;
+  EXPECT_EQ(end, "took longer than 0.5 s of processor time");
+}
+
+// What runs apart within it has no more processor time than is left, whatever its own limit.
+TEST(RunApart, GivesItsOwnNoMoreThanIsLeft)
+{
+  for (const double limit : { 0.0, 1000.0 })
+  {
+    const std::string end = RunApart(ByProcessor(0.2),
+      [&]
+      {
+        RunApart(ByProcessor(limit), [] { return Compute(HUGE_VAL); });
+        return true;
+      });
+    EXPECT_EQ(end, "took longer than 0.2 s of processor time");
+  }
+}
+
+// What runs apart within it may come to the end of its own processor time; the other goes on.
+TEST(RunApart, OutlivesALimitOfItsOwn)
+{
+  Messages messages;
+  const std::string end = RunApart(ByProcessor(1000.0),
+    [&]
+    {
+      messages.Add(RunApart(ByProcessor(0.1), [] { return Compute(HUGE_VAL); }));
+      return true;
+    });
+  EXPECT_EQ(end, "");
+  EXPECT_EQ(messages.Get(), "took longer than 0.1 s of processor time\n");
+}
+
+// Limits hold although the host blocks or ignores the signals that enforce them, as threads of a pool do.
+TEST(RunApart, LimitsWhatIgnoresSignals)
+{
+  EXPECT_EQ(RunApart({},
+              []
+              {
+                sigset_t all;
+                sigfillset(&all);
+                sigprocmask(SIG_SETMASK, &all, nullptr);
+                std::signal(SIGALRM, SIG_IGN);
+                std::signal(SIGPROF, SIG_IGN);
+                return RunApart(ByClock(0.2), &Hang) == "took longer than 0.2 s" &&
+                  RunApart(ByProcessor(0.2), [] { return Compute(HUGE_VAL); }) ==
+                  "took longer than 0.2 s of processor time";
+              }),
+    "");
 }
 
 #ifndef __SANITIZE_ADDRESS__ // which reserves more address space than any limit
 // What wants more memory than it may have fails, and this is said.
 TEST(RunApart, LimitsMemory)
 {
-  const std::string end = RunApart({ 0.0, 256.0 },
+  const std::string end = RunApart(ByMemory(256.0),
     []
     {
       const std::vector<char> much(std::size_t(1) << 30, 1);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adjacency.h"
+#include "Apart.h"
+#include "Clean.h"
 #include "HelperRun.h"
+#include "Ladder.h"
 #include "RandomModels.h"
 #include "Shapes.h"
 #include "Vector.h"
@@ -10,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <unistd.h>
 
 using namespace carving;
 
@@ -110,6 +114,26 @@ TEST(Ladder, EndsInEnclosingWhereTetGenFails)
   ASSERT_TRUE(any.Succeeded()) << any.Reply.Error;
   EXPECT_EQ(any.Reply.Rung, "Delaunay, enclosing");
   EXPECT_NE(any.Reply.Attempts, "");
+}
+
+// By which rung a mesh comes out does not depend on how long the machine is busy with other work.
+TEST(Ladder, DoesNotCountTheTimeOfOthers)
+{
+  Job job;
+  job.Mesh = models::Sphere(1);
+  job.Conformity = Conformity::Auto;
+  Reply reply;
+  reply.Result.Surface = Clean(AsResolved(job.Mesh));
+  Messages written;
+  const auto writeLate = [&]
+  {
+    sleep(6); // an attempt at so small a mesh has 5 s, and does all that it has to in milliseconds
+    written.Add(reply.Rung);
+    return true;
+  };
+  const LadderHost host = { [](Stage) {}, [](double) { return true; }, [] {}, writeLate };
+  EXPECT_TRUE(ClimbLadder(job, reply, host));
+  EXPECT_EQ(written.Get(), "TetGen -pcY\n");
 }
 
 // What it refuses in any other way has its points moved, by no more than is allowed, and is met then.

@@ -23,6 +23,12 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
   {
     texts.push_back("An attempt failed. " + line);
   }
+  std::istringstream limits(reply.Limits);
+  for (std::string line; std::getline(limits, line);)
+  {
+    texts.push_back("The result depends on a limit: " + line +
+      ". With a higher one the mesh might have come out otherwise.");
+  }
   if (reply.InteriorDropped > 0)
   {
     texts.push_back("Inside the solid " + std::to_string(reply.InteriorDropped) +

@@ -17,7 +17,7 @@ namespace
 
 // Bump the last digit whenever the layout changes: host and helper must be of one build.
 constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '6' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '5' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '6' };
 
 class Writer
 {
@@ -169,6 +169,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   VisitDecomposition(archive, reply.Plane);
   archive.Array(reply.Rung);
   archive.Array(reply.Attempts);
+  archive.Array(reply.Limits);
   archive.Value(reply.KeptDistance);
   archive.Value(reply.PointsAdded);
   archive.Value(reply.InteriorDropped);

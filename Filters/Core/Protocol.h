@@ -99,6 +99,7 @@ struct Reply
   Decomposition<2> Plane;
   std::string Rung;          ///< how it was tetrahedralized
   std::string Attempts;      ///< what was tried before, and why it failed, a line each
+  std::string Limits;        ///< limits that ended one of these, a line each
   double KeptDistance = 0.0; ///< in enclosing mode: how far what is kept reaches from M, to 5 %
   int PointsAdded = 0;       ///< for that
   int InteriorDropped = 0;   ///< triangles with solid on both sides that were left out

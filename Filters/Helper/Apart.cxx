@@ -11,7 +11,6 @@
 #include <iostream>
 #include <new>
 
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -21,7 +20,6 @@
 namespace
 {
 
-constexpr std::size_t Size = 8192;
 constexpr int Failed = 3;
 constexpr int OutOfMemory = 4;
 
@@ -68,7 +66,7 @@ bool IsEndedBy(int signal, int status)
   return WIFSIGNALED(status) && WTERMSIG(status) == signal;
 }
 
-std::string Describe(int status, const Limits& limits)
+Ending Describe(int status, const Limits& limits)
 {
   if (IsEndedBy(SIGALRM, status) || IsEndedBy(SIGPROF, status))
   {
@@ -76,20 +74,24 @@ std::string Describe(int status, const Limits& limits)
     char text[64];
     std::snprintf(text, sizeof(text), "took longer than %g s%s",
       byClock ? limits.Seconds : limits.ProcessorSeconds, byClock ? "" : " of processor time");
-    return text;
+    return { text, true };
+  }
+  if (IsEndedBy(SIGKILL, status)) // the system does that where memory runs out
+  {
+    return { "was killed", true };
   }
   if (WIFSIGNALED(status))
   {
-    return std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
+    return { std::string("crashed (") + strsignal(WTERMSIG(status)) + ")" };
   }
   switch (WEXITSTATUS(status))
   {
     case 0:
-      return "";
+      return {};
     case OutOfMemory:
-      return "ran out of memory";
+      return { "ran out of memory", true };
     default:
-      return "failed";
+      return { "failed" };
   }
 }
 
@@ -117,7 +119,7 @@ void LimitMemory(double mebibytes)
   }
 }
 
-std::string RunApart(const Limits& limits, const std::function<bool()>& work)
+Ending RunApart(const Limits& limits, const std::function<bool()>& work)
 {
   std::fflush(nullptr);
   std::cout.flush();
@@ -127,7 +129,7 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
   const pid_t child = fork();
   if (child < 0)
   {
-    return "could not be started: " + std::string(std::strerror(errno));
+    return { "could not be started: " + std::string(std::strerror(errno)), true };
   }
   if (child == 0)
   {
@@ -165,30 +167,4 @@ std::string RunApart(const Limits& limits, const std::function<bool()>& work)
     SetTimer(ITIMER_PROF, rest);
   }
   return Describe(status, limits);
-}
-
-Messages::Messages()
-  : Shared(static_cast<char*>(
-      mmap(nullptr, Size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)))
-{
-  if (this->Shared == MAP_FAILED)
-  {
-    throw std::bad_alloc();
-  }
-}
-
-Messages::~Messages()
-{
-  munmap(this->Shared, Size);
-}
-
-void Messages::Add(const std::string& line)
-{
-  const std::size_t length = std::strlen(this->Shared);
-  std::snprintf(this->Shared + length, Size - length, "%s\n", line.c_str());
-}
-
-std::string Messages::Get() const
-{
-  return this->Shared;
 }

@@ -6,41 +6,28 @@
 #ifndef carving_Apart_h
 #define carving_Apart_h
 
+#include "Ending.h"
+
 #include <functional>
 #include <string>
 
 /** 0: no limit. */
 struct Limits
 {
-  double Seconds = 0.0; ///< by the clock, however little of the processor it gets meanwhile
-  double Mebibytes = 0.0;
+  double Seconds = 0.0;          ///< by the clock
   double ProcessorSeconds = 0.0; ///< its own and those of what it runs apart in turn
+  double Mebibytes = 0.0;
 };
 
 /**
- * Forks, and calls `work` in the child, which sees all that there is here and changes none of it. Returns
- * an empty string if `work` returned true, else what ended it. What it has added to `Messages` is
- * kept. A process whose own processor time is limited gives a child no more than what is left of it.
+ * Forks, and calls `work` in the child, which sees all that there is here and changes none of it. The
+ * mistake is empty if `work` returned true, "failed" if it returned false, else what ended it. What it has
+ * added to `Messages` is kept. A process whose own processor time is limited gives a child no more than what
+ * is left of it.
  */
-std::string RunApart(const Limits& limits, const std::function<bool()>& work);
+Ending RunApart(const Limits& limits, const std::function<bool()>& work);
 
 /** Lets this process, and those that it forks, have no more than this; 0: no limit. */
 void LimitMemory(double mebibytes);
-
-/** Text that processes that are run apart, and theirs in turn, leave for this one; at most 8 KiB. */
-class Messages
-{
-public:
-  Messages();
-  ~Messages();
-  Messages(const Messages&) = delete;
-  void operator=(const Messages&) = delete;
-
-  void Add(const std::string& line);
-  std::string Get() const;
-
-private:
-  char* Shared;
-};
 
 #endif

@@ -6,6 +6,8 @@
 #include "Enclose.h"
 #include "InitialSurface.h"
 #include "Interior.h"
+#include "Log.h"
+#include "Patience.h"
 #include "Priority.h"
 #include "Resolve.h"
 #include "Shuffle.h"
@@ -30,34 +32,6 @@ constexpr int NumberOfGrids = 3;
 constexpr double FinerGrid = 8.0; ///< each to the next
 /** Auto does not resolve where there are so many crossings for a triangle. */
 constexpr double TooManyCrossings = 2.0;
-
-/**
- * Time enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles, a hundred
- * times that where it puts points on them, and for ever where it never ends to. Processor time, so that what
- * comes out does not depend on what else the machine has to do.
- */
-double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
-{
-  const double patience = surfacePoints == SurfacePoints::None
-    ? 5.0 + 1e-4 * static_cast<double>(numberOfFacets)
-    : 3.0 + 5e-4 * static_cast<double>(numberOfFacets);
-  return job.Conformity == Conformity::Auto ? patience : 6.0 * patience;
-}
-
-Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
-{
-  const bool isGiven = job.TimeLimit > 0.0;
-  return { job.TimeLimit, job.MemoryLimit,
-    isGiven ? 0.0 : PatienceOfAttempt(job, surfacePoints, numberOfFacets) };
-}
-
-/** For resolving and all attempts together. */
-Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
-{
-  const bool isAuto = job.Conformity == Conformity::Auto;
-  return { 0.0, job.MemoryLimit,
-    isAuto ? 50.0 + 1.5e-4 * static_cast<double>(numberOfFacets) : 0.0 };
-}
 
 double MaximumPairs(const Job& job, std::size_t numberOfFacets)
 {
@@ -85,25 +59,42 @@ std::vector<Point> FurtherPoints(const Job& job, const std::vector<Point>& point
                                                                              : std::vector<Point>();
 }
 
-bool HandOver(const Reply& reply, const LadderHost& host, Messages& messages)
+/** Runs an attempt apart and logs what has ended it, unless it has said so itself. */
+bool Try(const std::string& attempt, const std::string& who, const Limits& limits, Log& log,
+  const std::function<bool()>& work)
+{
+  const Ending ending = RunApart(limits, work);
+  if (!ending.Mistake.empty() && ending.Mistake != "failed")
+  {
+    log.Add(attempt, { who + ending.Mistake, ending.ByLimit });
+  }
+  return ending.Mistake.empty();
+}
+
+bool HandOver(const Reply& reply, const LadderHost& host, Log& log)
 {
   host.End();
   const bool written = host.Write();
   if (!written)
   {
-    messages.Add(reply.Rung + ": the result could not be written");
+    log.Add(reply.Rung + ": ", { "the result could not be written" });
   }
   return written;
 }
 
 /** One attempt, in a process of its own. */
 bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& reply,
-  const LadderHost& host, Messages& messages)
+  const LadderHost& host, Log& log)
 {
   Shuffle(order, reply.Result.Surface);
-  reply.Error =
+  const Ending ending =
     Tetrahedralize(FurtherPoints(job, reply.Result.Surface.Points), surfacePoints, reply.Result);
-  if (reply.Error.empty() && job.Initial == InitialApproximation::Custom)
+  if (!ending.Mistake.empty())
+  {
+    log.Add(reply.Rung + ": ", ending);
+    return false;
+  }
+  if (job.Initial == InitialApproximation::Custom)
   {
     reply.Error = RemoveOutsideOfInitial(reply.Result);
     if (!reply.Error.empty())
@@ -112,39 +103,29 @@ bool Attempt(int order, SurfacePoints surfacePoints, const Job& job, Reply& repl
       return host.Write(); // no other order would help
     }
   }
-  if (!reply.Error.empty())
-  {
-    messages.Add(reply.Rung + ": " + reply.Error);
-    return false;
-  }
-  reply.Attempts = messages.Get();
-  return HandOver(reply, host, messages);
+  log.CopyTo(reply);
+  return HandOver(reply, host, log);
 }
 
 /** Tries orders, from the first until one before the last succeeds. */
 bool TryOrders(const std::string& rung, int first, int last, SurfacePoints surfacePoints,
-  const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+  const Job& job, Reply& reply, const LadderHost& host, Log& log)
 {
   const Limits limits = LimitsOfAttempt(job, surfacePoints, reply.Result.Surface.Facets.size());
   for (int order = first; order < last; ++order)
   {
     reply.Rung = rung + (order == 0 ? "" : ", order " + std::to_string(order));
-    const std::string end =
-      RunApart(limits, [&] { return Attempt(order, surfacePoints, job, reply, host, messages); });
-    if (end.empty())
+    if (Try(reply.Rung + ": ", "TetGen ", limits, log,
+          [&] { return Attempt(order, surfacePoints, job, reply, host, log); }))
     {
       return true;
-    }
-    if (end != "failed") // which has said why
-    {
-      messages.Add(reply.Rung + ": TetGen " + end);
     }
   }
   return false;
 }
 
 /** Tries all orders of what bounds the solid; leaves M as it was where that does not help. */
-bool TryWithoutInterior(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+bool TryWithoutInterior(const Job& job, Reply& reply, const LadderHost& host, Log& log)
 {
   reply.SolidMatters = 1;
   if (job.Initial == InitialApproximation::Custom) // whose triangles are no boundary of a solid
@@ -155,7 +136,7 @@ bool TryWithoutInterior(const Job& job, Reply& reply, const LadderHost& host, Me
   reply.InteriorDropped = DropInterior(job.Solid, reply.Result.Surface);
   if (reply.InteriorDropped > 0 &&
     TryOrders("TetGen -pcY, without interior", 0, NumberOfOrders, SurfacePoints::None, job, reply,
-      host, messages))
+      host, log))
   {
     return true;
   }
@@ -165,14 +146,14 @@ bool TryWithoutInterior(const Job& job, Reply& reply, const LadderHost& host, Me
 }
 
 /** Resolves and tries all orders; in a process of its own too, so that its time can be limited. */
-bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Log& log)
 {
   host.Begin(Stage::Resolve);
   reply.Error = Resolve(reply.Result.Surface, reply.IntersectingPairs, host.Report,
     MaximumPairs(job, reply.Result.Surface.Facets.size()));
   if (!reply.Error.empty())
   {
-    messages.Add("Resolving: " + reply.Error);
+    log.Add("Resolving: ", { reply.Error });
     return false;
   }
   if (job.Initial == InitialApproximation::Custom)
@@ -187,9 +168,9 @@ bool ClimbExact(const Job& job, Reply& reply, const LadderHost& host, Messages& 
   host.End();
   host.Begin(Stage::Tetrahedralize);
   const auto tryOrders = [&](const char* rung, int first, int last, SurfacePoints surfacePoints)
-  { return TryOrders(rung, first, last, surfacePoints, job, reply, host, messages); };
+  { return TryOrders(rung, first, last, surfacePoints, job, reply, host, log); };
   return tryOrders("TetGen -pcY", 0, NumberOfOrdersBeforeDropping, SurfacePoints::None) ||
-    TryWithoutInterior(job, reply, host, messages) ||
+    TryWithoutInterior(job, reply, host, log) ||
     tryOrders("TetGen -pcY", NumberOfOrdersBeforeDropping, NumberOfOrders, SurfacePoints::None) ||
     tryOrders("TetGen -pcM", 0, NumberOfSplitOrders, SurfacePoints::Allowed);
 }
@@ -207,7 +188,7 @@ std::string CheckSnapped(const Job& job, const SnappedMesh& snapped, double tole
 }
 
 /** Tries orders of M with its points moved, on ever finer grids. */
-bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Log& log)
 {
   const ResolvedMesh given = std::move(reply.Result.Surface);
   const double tolerance = job.SnapTolerance * Diagonal(given.Points);
@@ -224,7 +205,7 @@ bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages
     {
       std::ostringstream text;
       text << "Snapping: on a grid of " << spacing << ", " << mistake;
-      messages.Add(text.str());
+      log.Add("", { text.str() });
       continue;
     }
     reply.Result.Surface = std::move(snapped.Mesh);
@@ -232,7 +213,7 @@ bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages
     reply.SnapDistance = snapped.Distance;
     host.Begin(Stage::Tetrahedralize);
     if (TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None, job, reply,
-          host, messages))
+          host, log))
     {
       return true;
     }
@@ -241,7 +222,7 @@ bool ClimbSnapped(const Job& job, Reply& reply, const LadderHost& host, Messages
   return false;
 }
 
-bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host, Messages& messages)
+bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host, Log& log)
 {
   host.Begin(Stage::Tetrahedralize);
   const ResolvedMesh input = std::move(reply.Result.Surface);
@@ -250,7 +231,7 @@ bool ClimbEnclosing(const Job& job, Reply& reply, const LadderHost& host, Messag
   reply.KeptDistance = Enclose(input, further, job.EnclosingTolerance, host.Report, reply.Result);
   reply.PointsAdded =
     static_cast<int>(reply.Result.Surface.Points.size() - input.Points.size() - further.size());
-  return HandOver(reply, host, messages);
+  return HandOver(reply, host, log);
 }
 
 /** Lines as one. */
@@ -277,46 +258,36 @@ bool ClimbLadder(const Job& job, Reply& reply, const LadderHost& host)
       return false;
     }
   }
-  Messages messages;
+  Log log;
   const std::size_t numberOfFacets = reply.Result.Surface.Facets.size();
   for (const auto& [climb, name, wanted] :
-    { std::tuple(&ClimbExact, "Resolving and tetrahedralizing: ", true),
-      std::tuple(&ClimbSnapped,
-        "Snapping: ", job.SnapTolerance > 0.0 && job.Initial != InitialApproximation::Custom) })
+    { std::tuple(&ClimbExact, "Resolving and tetrahedralizing ", true),
+      std::tuple(&ClimbSnapped, "Snapping ",
+        job.SnapTolerance > 0.0 && job.Initial != InitialApproximation::Custom) })
   {
     if (!wanted || job.Conformity == Conformity::Enclosing)
     {
       continue;
     }
-    const Limits limits = LimitsOfExact(job, numberOfFacets);
-    const std::string end =
-      RunApart(limits, [&, climb = climb] { return (*climb)(job, reply, host, messages); });
-    if (end.empty())
+    if (Try("", name, LimitsOfExact(job, numberOfFacets), log,
+          [&, climb = climb] { return (*climb)(job, reply, host, log); }))
     {
       return true;
     }
-    if (end != "failed")
-    {
-      messages.Add(name + end);
-    }
     reply.SolidMatters = 1;
   }
-  reply.Attempts = messages.Get();
+  log.CopyTo(reply);
   if (job.Conformity != Conformity::Exact && job.Initial != InitialApproximation::Custom)
   {
-    const Limits limits = { job.TimeLimit, job.MemoryLimit, 0.0 };
-    const std::string end =
-      RunApart(limits, [&] { return ClimbEnclosing(job, reply, host, messages); });
-    if (end != "" && end != "failed") // which has said why
-    {
-      messages.Add("Delaunay, enclosing: " + end);
-    }
-    reply.Error = end.empty()
+    const bool isEnclosed = Try("Delaunay, enclosing: ", "", LimitsOfEnclosing(job), log,
+      [&] { return ClimbEnclosing(job, reply, host, log); });
+    log.CopyTo(reply);
+    reply.Error = isEnclosed
       ? ""
       : "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. What "
         "was tried: " +
-        Joined(messages.Get());
-    return end.empty();
+        Joined(reply.Attempts);
+    return isEnclosed;
   }
   if (reply.Error.empty())
   {

@@ -11,6 +11,7 @@
 #include <tetgen.h>
 
 #include <algorithm>
+#include <new>
 #include <numeric>
 #include <unordered_map>
 #include <vector>
@@ -184,7 +185,7 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
     : "";
 }
 
-std::string Tetrahedralize(
+Ending Tetrahedralize(
   const std::vector<Point>& further, SurfacePoints surfacePoints, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
@@ -204,13 +205,17 @@ std::string Tetrahedralize(
   catch (int code)
   {
     constexpr int outOfMemory = 1;
-    return code == outOfMemory ? "TetGen ran out of memory"
-                               : "TetGen gave up with code " + std::to_string(code);
+    if (code == outOfMemory)
+    {
+      throw std::bad_alloc();
+    }
+    return { "TetGen gave up with code " + std::to_string(code) };
   }
   if (static_cast<std::size_t>(out.numberofpoints) > mostPoints)
   {
-    return "TetGen needed " + std::to_string(out.numberofpoints) + " points for " +
-      std::to_string(surface.Points.size());
+    return { "TetGen needed " + std::to_string(out.numberofpoints) + " points for " +
+        std::to_string(surface.Points.size()),
+      true };
   }
   for (int i = static_cast<int>(surface.Points.size()); i < out.numberofpoints; ++i)
   {
@@ -232,22 +237,22 @@ std::string Tetrahedralize(
     const std::string error = ReplaceByParts(parts, surface);
     if (!error.empty())
     {
-      return "TetGen lost a triangle of the mesh: " + error;
+      return { "TetGen lost a triangle of the mesh: " + error };
     }
   }
   CopyCells(out, result);
   if (const std::ptrdiff_t turned = CountTurnedCells(result))
   {
-    return "TetGen made " + std::to_string(turned) + " tetrahedra that are flat or inside out";
+    return { "TetGen made " + std::to_string(turned) + " tetrahedra that are flat or inside out" };
   }
   if (!FillHull(result))
   {
-    return "TetGen left gaps between the tetrahedra";
+    return { "TetGen left gaps between the tetrahedra" };
   }
   if (const std::size_t missing = FindConstraints(result))
   {
-    return "TetGen lost " + std::to_string(missing) + " of " +
-      std::to_string(surface.Facets.size()) + " triangles of the mesh";
+    return { "TetGen lost " + std::to_string(missing) + " of " +
+      std::to_string(surface.Facets.size()) + " triangles of the mesh" };
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #ifndef carving_Tetrahedralize_h
 #define carving_Tetrahedralize_h
 
+#include "Ending.h"
 #include "Mesh.h"
 
 #include <string>
@@ -23,10 +24,10 @@ enum class SurfacePoints
  * TetGen.
  *
  * Fills the other members of `result`, whose `Surface` is given, and appends the further points and
- * Steiner points. Returns an empty string or what went wrong. Where TetGen fails it may as well end the
+ * Steiner points. Throws `std::bad_alloc` where memory runs out. Where TetGen fails it may as well end the
  * process: its assertions are on, and it frees memory twice when it gives up.
  */
-std::string Tetrahedralize(const std::vector<carving::Point>& further, SurfacePoints surfacePoints,
+Ending Tetrahedralize(const std::vector<carving::Point>& further, SurfacePoints surfacePoints,
   carving::Tetrahedralization& result);
 
 /** The corners of the points' bounding box, grown by BoxMargin of its diagonal on every side. */

@@ -70,6 +70,7 @@ Reply MakeReply(int i, std::mt19937_64& random)
   reply.Error = i % 16 == 0 ? "an error" : "";
   reply.Rung = "a rung";
   reply.Attempts = "one\nanother\n";
+  reply.Limits = "a limit\n";
   reply.StageSeconds.assign(NumberOfStages, 0.5);
   return reply;
 }

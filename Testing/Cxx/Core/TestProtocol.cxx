@@ -19,6 +19,7 @@ Reply MakeReply()
 {
   Reply reply;
   reply.Result = small::NestedTetrahedra(small::InnerFaces());
+  reply.Limits = "a limit\n";
   reply.IntersectingPairs = 7;
   reply.SnapDistance = 0.125;
   reply.StageSeconds = { 0.25, 0.5, 1.0 };
@@ -67,6 +68,7 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.Result.Cells, reply.Result.Cells);
   EXPECT_EQ(restored.Result.Constraints, reply.Result.Constraints);
   EXPECT_EQ(restored.Result.Surface.Points, reply.Result.Surface.Points);
+  EXPECT_EQ(restored.Limits, reply.Limits);
   EXPECT_EQ(restored.IntersectingPairs, 7);
   EXPECT_EQ(restored.SnapDistance, 0.125);
   EXPECT_EQ(restored.StageSeconds, reply.StageSeconds);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
+#include "RandomModels.h"
 
 #include "vtkMultiBlockDataSet.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 // A convex mesh has nothing to carve: one level, no error, and a note that says so.
 TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)
@@ -47,4 +49,23 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   carver->SetInputData(ToPolyData(mesh));
   carver->Update();
   EXPECT_NE(GetNotes(carver).find("guess"), std::string::npos);
+}
+
+// Where a limit ended an attempt, a note names it and says that the result depends on it.
+TEST(CarverNotes, NotesThatTheResultDependsOnALimit)
+{
+  // TetGen needs points on the triangles of the soup, and many times as long for them. With the sphere
+  // crossings are few for a triangle, so that it is tried.
+  std::mt19937_64 random(1);
+  const auto mesh =
+    models::Joined(models::Soup(100, random), models::Moved(models::Sphere(3), { 10, 0, 0 }));
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(mesh));
+  carver->SetTimeLimit(1.0);
+  carver->SetEnclosingTolerance(0.0);
+  carver->Update();
+  const std::string notes = GetNotes(carver);
+  EXPECT_NE(notes.find("The result depends on a limit: TetGen took longer than 1 s. With a higher"),
+    std::string::npos)
+    << notes;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Apart.h"
+#include "Log.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
+#include <new>
 #include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,6 +37,12 @@ Limits ByMemory(double mebibytes)
   Limits limits;
   limits.Mebibytes = mebibytes;
   return limits;
+}
+
+/** What has ended work that was run apart. */
+std::string EndOf(const Limits& limits, const std::function<bool()>& work)
+{
+  return RunApart(limits, work).Mistake;
 }
 
 bool Hang()
@@ -100,7 +108,7 @@ private:
 TEST(RunApart, SaysNothingOfSuccess)
 {
   Messages messages;
-  EXPECT_EQ(RunApart({},
+  EXPECT_EQ(EndOf({},
               [&]
               {
                 messages.Add("one");
@@ -115,7 +123,7 @@ TEST(RunApart, SaysNothingOfSuccess)
 TEST(RunApart, ChangesNothingHere)
 {
   int number = 1;
-  EXPECT_EQ(RunApart({},
+  EXPECT_EQ(EndOf({},
               [&]
               {
                 number = 2;
@@ -128,7 +136,7 @@ TEST(RunApart, ChangesNothingHere)
 // A crash is a sentence, and this process goes on.
 TEST(RunApart, SurvivesACrash)
 {
-  const std::string end = RunApart({},
+  const std::string end = EndOf({},
     []
     {
       std::abort();
@@ -140,14 +148,14 @@ TEST(RunApart, SurvivesACrash)
 // What hangs is ended when its time by the clock is over.
 TEST(RunApart, EndsWhatHangs)
 {
-  const std::string end = RunApart(ByClock(0.2), &Hang);
+  const std::string end = EndOf(ByClock(0.2), &Hang);
   EXPECT_EQ(end, "took longer than 0.2 s");
 }
 
 // Time in which it does not compute is no processor time.
 TEST(RunApart, DoesNotCountSleep)
 {
-  const std::string end = RunApart(ByProcessor(0.1),
+  const std::string end = EndOf(ByProcessor(0.1),
     []
     {
       usleep(500000);
@@ -161,7 +169,7 @@ TEST(RunApart, DoesNotCountTheTimeOfOthers)
 {
   const OneBusyProcessor others(4);
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_EQ(RunApart(ByProcessor(0.4), [] { return Compute(0.2); }), "");
+  EXPECT_EQ(EndOf(ByProcessor(0.4), [] { return Compute(0.2); }), "");
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_GT(seconds.count(), 0.4);
 }
@@ -169,19 +177,19 @@ TEST(RunApart, DoesNotCountTheTimeOfOthers)
 // What computes for longer than its processor time is ended.
 TEST(RunApart, EndsWhatComputesTooLong)
 {
-  const std::string end = RunApart(ByProcessor(0.2), [] { return Compute(HUGE_VAL); });
+  const std::string end = EndOf(ByProcessor(0.2), [] { return Compute(HUGE_VAL); });
   EXPECT_EQ(end, "took longer than 0.2 s of processor time");
 }
 
 // What runs apart within it is paid for out of its processor time.
 TEST(RunApart, CountsTheTimeOfItsOwn)
 {
-  const std::string end = RunApart(ByProcessor(0.5),
+  const std::string end = EndOf(ByProcessor(0.5),
     []
     {
       for (int i = 0; i < 4; ++i)
       {
-        RunApart({}, [] { return Compute(0.2); });
+        EndOf({}, [] { return Compute(0.2); });
       }
       return true;
     });
@@ -193,10 +201,10 @@ TEST(RunApart, GivesItsOwnNoMoreThanIsLeft)
 {
   for (const double limit : { 0.0, 1000.0 })
   {
-    const std::string end = RunApart(ByProcessor(0.2),
+    const std::string end = EndOf(ByProcessor(0.2),
       [&]
       {
-        RunApart(ByProcessor(limit), [] { return Compute(HUGE_VAL); });
+        EndOf(ByProcessor(limit), [] { return Compute(HUGE_VAL); });
         return true;
       });
     EXPECT_EQ(end, "took longer than 0.2 s of processor time");
@@ -207,10 +215,10 @@ TEST(RunApart, GivesItsOwnNoMoreThanIsLeft)
 TEST(RunApart, OutlivesALimitOfItsOwn)
 {
   Messages messages;
-  const std::string end = RunApart(ByProcessor(1000.0),
+  const std::string end = EndOf(ByProcessor(1000.0),
     [&]
     {
-      messages.Add(RunApart(ByProcessor(0.1), [] { return Compute(HUGE_VAL); }));
+      messages.Add(EndOf(ByProcessor(0.1), [] { return Compute(HUGE_VAL); }));
       return true;
     });
   EXPECT_EQ(end, "");
@@ -220,7 +228,7 @@ TEST(RunApart, OutlivesALimitOfItsOwn)
 // Limits hold although the host blocks or ignores the signals that enforce them, as threads of a pool do.
 TEST(RunApart, LimitsWhatIgnoresSignals)
 {
-  EXPECT_EQ(RunApart({},
+  EXPECT_EQ(EndOf({},
               []
               {
                 sigset_t all;
@@ -228,8 +236,8 @@ TEST(RunApart, LimitsWhatIgnoresSignals)
                 sigprocmask(SIG_SETMASK, &all, nullptr);
                 std::signal(SIGALRM, SIG_IGN);
                 std::signal(SIGPROF, SIG_IGN);
-                return RunApart(ByClock(0.2), &Hang) == "took longer than 0.2 s" &&
-                  RunApart(ByProcessor(0.2), [] { return Compute(HUGE_VAL); }) ==
+                return EndOf(ByClock(0.2), &Hang) == "took longer than 0.2 s" &&
+                  EndOf(ByProcessor(0.2), [] { return Compute(HUGE_VAL); }) ==
                   "took longer than 0.2 s of processor time";
               }),
     "");
@@ -239,7 +247,7 @@ TEST(RunApart, LimitsWhatIgnoresSignals)
 // What wants more memory than it may have fails, and this is said.
 TEST(RunApart, LimitsMemory)
 {
-  const std::string end = RunApart(ByMemory(256.0),
+  const std::string end = EndOf(ByMemory(256.0),
     []
     {
       const std::vector<char> much(std::size_t(1) << 30, 1);
@@ -249,14 +257,26 @@ TEST(RunApart, LimitsMemory)
 }
 #endif
 
+// An end by a limit, the machine's too, is told from any other.
+TEST(RunApart, TellsLimitsFromOtherEnds)
+{
+  const auto dieOf = [](int signal) { return [signal] { return std::raise(signal) != 0; }; };
+  EXPECT_TRUE(RunApart(ByClock(0.01), &Hang).ByLimit);
+  EXPECT_TRUE(RunApart(ByProcessor(0.01), [] { return Compute(HUGE_VAL); }).ByLimit);
+  EXPECT_TRUE(RunApart({}, []() -> bool { throw std::bad_alloc(); }).ByLimit);
+  EXPECT_TRUE(RunApart({}, dieOf(SIGKILL)).ByLimit); // as the system does where memory runs out
+  EXPECT_FALSE(RunApart({}, dieOf(SIGSEGV)).ByLimit);
+  EXPECT_FALSE(RunApart({}, [] { return false; }).ByLimit);
+}
+
 // Processes that run apart can run others apart, whose messages arrive here too.
 TEST(RunApart, CanBeNested)
 {
   Messages messages;
-  const std::string end = RunApart({},
+  const std::string end = EndOf({},
     [&]
     {
-      messages.Add(RunApart({},
+      messages.Add(EndOf({},
         []
         {
           std::abort();

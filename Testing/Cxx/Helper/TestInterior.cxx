@@ -23,7 +23,7 @@ std::set<std::array<Point, 3>> BoundaryOfSolid(const ResolvedMesh& surface, Soli
 {
   Tetrahedralization mesh;
   mesh.Surface = surface;
-  EXPECT_EQ(Tetrahedralize({}, SurfacePoints::None, mesh), "");
+  EXPECT_EQ(Tetrahedralize({}, SurfacePoints::None, mesh).Mistake, "");
   const Classification regions = Classify(mesh, rule);
   std::set<std::array<Point, 3>> boundary;
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Adjacency.h"
-#include "Apart.h"
 #include "Clean.h"
 #include "HelperRun.h"
 #include "Ladder.h"
+#include "Log.h"
 #include "RandomModels.h"
 #include "Shapes.h"
 #include "Vector.h"
@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <functional>
 #include <random>
 #include <unistd.h>
 
@@ -52,6 +54,25 @@ TriangleMesh RefusedUnlessSnapped()
   return models::Doubled(models::Sphere(1), 1e-13, random);
 }
 
+/** Climbs with a sphere of 80 triangles that TetGen does at once; a line of what is written in the end. */
+std::string Climb(double timeLimit, const std::function<std::string(const Reply&)>& describe)
+{
+  Job job;
+  job.Mesh = models::Sphere(1);
+  job.Conformity = Conformity::Auto;
+  job.TimeLimit = timeLimit;
+  Reply reply;
+  reply.Result.Surface = Clean(AsResolved(job.Mesh));
+  Messages written;
+  const auto write = [&]
+  {
+    written.Add(describe(reply));
+    return true;
+  };
+  EXPECT_TRUE(ClimbLadder(job, reply, { [](Stage) {}, [](double) { return true; }, [] {}, write }));
+  return written.Get();
+}
+
 } // namespace
 
 // What TetGen copes with is tetrahedralized by it, exactly.
@@ -74,6 +95,7 @@ TEST(Ladder, SplitsTrianglesWhereItHasTo)
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   EXPECT_EQ(run.Reply.Rung.find("TetGen -pcM"), 0u) << run.Reply.Rung;
   EXPECT_NE(run.Reply.Attempts.find("TetGen -pcY, order 5"), std::string::npos);
+  EXPECT_EQ(run.Reply.Limits, ""); // no higher one would have been of use
   const Tetrahedralization& result = run.Reply.Result;
   EXPECT_TRUE(result.Kept.empty());
   std::vector<int> uses(result.Surface.Facets.size(), 0);
@@ -119,21 +141,43 @@ TEST(Ladder, EndsInEnclosingWhereTetGenFails)
 // By which rung a mesh comes out does not depend on how long the machine is busy with other work.
 TEST(Ladder, DoesNotCountTheTimeOfOthers)
 {
-  Job job;
-  job.Mesh = models::Sphere(1);
-  job.Conformity = Conformity::Auto;
-  Reply reply;
-  reply.Result.Surface = Clean(AsResolved(job.Mesh));
-  Messages written;
-  const auto writeLate = [&]
-  {
-    sleep(6); // an attempt at so small a mesh has 5 s, and does all that it has to in milliseconds
-    written.Add(reply.Rung);
-    return true;
-  };
-  const LadderHost host = { [](Stage) {}, [](double) { return true; }, [] {}, writeLate };
-  EXPECT_TRUE(ClimbLadder(job, reply, host));
-  EXPECT_EQ(written.Get(), "TetGen -pcY\n");
+  const std::string written = Climb(0.0,
+    [](const Reply& reply)
+    {
+      sleep(6); // an attempt at so small a mesh has 5 s
+      return reply.Rung;
+    });
+  EXPECT_EQ(written, "TetGen -pcY\n");
+}
+
+// An attempt that computes for too long is ended, and the limit, on which the result depends, is named.
+TEST(Ladder, EndsAttemptsThatComputeTooLong)
+{
+  const std::string written = Climb(0.0,
+    [](const Reply& reply)
+    {
+      while (reply.Rung == "TetGen -pcY")
+      {
+        std::clock();
+      }
+      return reply.Rung + ", " + reply.Limits;
+    });
+  EXPECT_EQ(written, "TetGen -pcY, order 1, TetGen took longer than 5.008 s of processor time\n\n");
+}
+
+// A limit of the user's is by the clock; however many attempts it has ended, it is named once.
+TEST(Ladder, EndsAttemptsByTheUsersClock)
+{
+  const std::string written = Climb(0.5,
+    [](const Reply& reply)
+    {
+      while (reply.Rung != "Delaunay, enclosing")
+      {
+        pause();
+      }
+      return reply.Limits;
+    });
+  EXPECT_EQ(written, "TetGen took longer than 0.5 s\n\n");
 }
 
 // What it refuses in any other way has its points moved, by no more than is allowed, and is met then.

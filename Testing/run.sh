@@ -24,7 +24,8 @@ xvfb-run -a ctest --test-dir "$build_root/testing" -j$jobs --output-on-failure
 
 bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
 build plugin -DTOPOLOGYCARVING_PARAVIEW=ON -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" \
-  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11"
+  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11" \
+  -DTOPOLOGYCARVING_CARVE="$build_root/testing/bin/carve"
 say "Testing the plugin for ParaView"
 # Without -noreset, clients that come while the last one goes are turned away.
 xvfb-run -a -s '-screen 0 1500x1000x24 -noreset' \

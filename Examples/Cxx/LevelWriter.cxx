@@ -6,6 +6,7 @@
 #include "HelperProcess.h"
 #include "MemoryFile.h"
 #include "MeshReader.h"
+#include "XmlFile.h"
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -13,9 +14,6 @@
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
-#include "vtkXMLMultiBlockDataReader.h"
-#include "vtkXMLMultiBlockDataWriter.h"
-#include "vtkXMLPolyDataWriter.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <fstream>
@@ -73,24 +71,10 @@ bool WriteObj(const std::string& fileName, vtkPolyData* level)
 
 bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPolyData* level)
 {
-  return extension == ".vtp" ? WriteWith<vtkXMLPolyDataWriter>(fileName, level)
+  return extension == ".vtp" ? XmlFile::Write(fileName, level)
     : extension == ".ply"    ? WritePly(fileName, level)
     : extension == ".obj"    ? WriteObj(fileName, level)
                              : WriteWith<vtkSTLWriter>(fileName, level);
-}
-
-/** The writer does not pass on that one of its files could not be written: reads all of them again. */
-bool WriteMultiBlock(const std::string& fileName, vtkMultiBlockDataSet* levels)
-{
-  if (!WriteWith<vtkXMLMultiBlockDataWriter>(fileName, levels))
-  {
-    return false;
-  }
-  vtkNew<vtkXMLMultiBlockDataReader> reader;
-  reader->SetFileName(fileName.c_str());
-  reader->Update();
-  auto* written = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutput());
-  return written && written->GetNumberOfCells() == levels->GetNumberOfCells();
 }
 
 /**
@@ -144,7 +128,7 @@ std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, Err
   if (extension == ".vtm")
   {
     written.push_back(fileName);
-    return WriteMultiBlock(fileName, levels) ? "" : failure + fileName;
+    return XmlFile::Write(fileName, levels) ? "" : failure + fileName;
   }
   const std::string stem = fileName.substr(0, fileName.size() - extension.size());
   for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)

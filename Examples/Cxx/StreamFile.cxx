@@ -19,7 +19,6 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLUnstructuredGridReader.h"
-#include "vtkXMLUnstructuredGridWriter.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
@@ -51,14 +50,6 @@ double GetStep(vtkPolyData* level)
 }
 
 } // namespace
-
-bool StreamFile::Write(const std::string& fileName, vtkUnstructuredGrid* stream)
-{
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(fileName.c_str());
-  writer->SetInputData(stream);
-  return writer->Write() != 0 && writer->GetErrorCode() == 0;
-}
 
 std::string StreamFile::Read(
   const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream)

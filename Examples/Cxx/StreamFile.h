@@ -14,8 +14,6 @@ struct Options;
 namespace StreamFile
 {
 
-bool Write(const std::string& fileName, vtkUnstructuredGrid* stream);
-
 /** Returns an empty string or why the file could not be read. */
 std::string Read(const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream);
 

@@ -9,6 +9,7 @@
 #include "Options.h"
 #include "ProfileFile.h"
 #include "StreamFile.h"
+#include "XmlFile.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkContourCarver.h"
@@ -230,8 +231,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   if (log->Errors.empty() && !options.Stream.empty())
   {
     clock.Lap();
-    if (!StreamFile::Write(
-          options.Stream, vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1))))
+    if (!XmlFile::Write(options.Stream, carver->GetOutputDataObject(1)))
     {
       return Fail("cannot write " + options.Stream);
     }

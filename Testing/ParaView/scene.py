@@ -4,6 +4,7 @@ import os
 import sys
 
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 MODELS = os.environ["MODELS"]
 simple._DisableFirstRenderCameraReset()
@@ -26,6 +27,29 @@ def counts(proxy, port=0, time=0.0):
 def fetch(proxy, port=LEVEL):
     """An output as a VTK data object."""
     return simple.servermanager.Fetch(proxy, idx=port)
+
+
+def arrays(data):
+    """All of a data set's points, cells and arrays, by kind and name: bytes, or strings."""
+    cells = data.GetPolys() if data.IsA("vtkPolyData") else data.GetCells()
+    found = {
+        "points": vtk_to_numpy(data.GetPoints().GetData()).tobytes(),
+        "corners": vtk_to_numpy(cells.GetConnectivityArray()).tobytes(),
+        "offsets": vtk_to_numpy(cells.GetOffsetsArray()).tobytes(),
+    }
+    for kind in ("PointData", "CellData", "FieldData"):
+        attributes = getattr(data, "Get" + kind)()
+        for i in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetAbstractArray(i)
+            found[kind, array.GetName()] = (
+                [array.GetValue(k) for k in range(array.GetNumberOfValues())] if array.IsA("vtkStringArray")
+                else vtk_to_numpy(array).tobytes())
+    return found
+
+
+def blocks(tree):
+    """The blocks of a multiblock by name."""
+    return {tree.GetMetaData(i).Get(tree.NAME()): tree.GetBlock(i) for i in range(tree.GetNumberOfBlocks())}
 
 
 def numbers(proxy, name):

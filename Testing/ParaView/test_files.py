@@ -6,20 +6,11 @@ import unittest
 
 import scene
 from paraview import simple
-from scene import ALL_LEVELS, LEVEL, STREAM, counts, fetch, open_model
+from scene import ALL_LEVELS, LEVEL, STREAM, arrays, blocks, counts, fetch, open_model
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-
-def arrays(data):
-    """All arrays of a data set as bytes, by kind and name."""
-    found = {"points": vtk_to_numpy(data.GetPoints().GetData()).tobytes()}
-    for kind in ("PointData", "CellData", "FieldData"):
-        attributes = getattr(data, "Get" + kind)()
-        for i in range(attributes.GetNumberOfArrays()):
-            array = attributes.GetArray(i)
-            if array:
-                found[kind, array.GetName()] = vtk_to_numpy(array).tobytes()
-    return found
+# By default ParaView 5.11 writes appended data, which it cannot read with today's libexpat1 of Debian 12.
+INLINE = {"DataMode": "Binary"}
 
 
 def triangles(data):
@@ -43,32 +34,29 @@ class TestFiles(unittest.TestCase):
         self.carver = simple.TopologyCarver(Input=open_model("two-spheres.ply"), FollowTime=0, Vertices=1000)
         self.carver.UpdatePipeline()
 
-    def through(self, name, port):
+    def through(self, name, port, **options):
         path = os.path.join(self.folder, name)
-        source = simple.OutputPort(self.carver, port)
-        simple.SaveData(path, source)
+        simple.SaveData(path, simple.OutputPort(self.carver, port), **options)
         back = simple.OpenDataFile(path)
         back.UpdatePipeline()
         return fetch(self.carver, port), back
 
     def test_vtp_keeps_everything(self):
         """A level comes back from .vtp with the same bytes."""
-        level, back = self.through("level.vtp", LEVEL)
+        level, back = self.through("level.vtp", LEVEL, **INLINE)
         self.assertEqual(arrays(fetch(back)), arrays(level))
 
     def test_vtm_keeps_everything(self):
         """All levels come back from .vtm with the same names and bytes."""
-        levels, back = self.through("levels.vtm", ALL_LEVELS)
-        back = fetch(back)
-        self.assertEqual(back.GetNumberOfBlocks(), levels.GetNumberOfBlocks())
-        for i in range(levels.GetNumberOfBlocks()):
-            names = [tree.GetMetaData(i).Get(tree.NAME()) for tree in (levels, back)]
-            self.assertEqual(names[0], names[1])
-            self.assertEqual(arrays(back.GetBlock(i)), arrays(levels.GetBlock(i)))
+        levels, back = self.through("levels.vtm", ALL_LEVELS, **INLINE)
+        levels, back = blocks(levels), blocks(fetch(back))
+        self.assertEqual(list(back), list(levels))
+        for name, level in levels.items():
+            self.assertEqual(arrays(back[name]), arrays(level))
 
     def test_stream_from_a_file_gives_the_same_levels(self):
         """A stream that has been through .vtu is as good as the carver's own."""
-        stream, back = self.through("stream.vtu", STREAM)
+        stream, back = self.through("stream.vtu", STREAM, **INLINE)
         self.assertEqual(arrays(fetch(back)), arrays(stream))
         extract = simple.ExtractCarvedLOD(Input=back)
         own = simple.ExtractCarvedLOD(Input=simple.OutputPort(self.carver, STREAM))

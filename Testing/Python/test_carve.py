@@ -341,13 +341,15 @@ class TestCarve(unittest.TestCase):
         for extension in (".vtp", ".ply", ".obj", ".stl"):
             os.symlink("/dev/full", self.path("out_0" + extension))
             self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out_0" + extension)
-        os.symlink("/dev/full", self.path("full.vtu"))
-        self.expect_failure(self.run_carve(BONES, "--stream", "full.vtu"), 1, "full.vtu")
+        for option, name in (("--stream", "full.vtu"), ("-o", "full.vtm")):
+            os.symlink("/dev/full", self.path(name))
+            self.expect_failure(self.run_carve(BONES, option, name), 1, "cannot write " + name)
         self.table(BONES, "--stream", "s.vtu")
-        run = subprocess.run(
-            [CARVE, "s.vtu", "-o", "out.vtm"], capture_output=True, text=True, cwd=self.folder, restore_signals=False,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
-        self.expect_failure(run, 1, "cannot write out.vtm")
+        for name, failed in (("out.vtm", "out.vtm"), ("level.vtp", "level_")):
+            run = subprocess.run(
+                [CARVE, "s.vtu", "-o", name], capture_output=True, text=True, cwd=self.folder, restore_signals=False,
+                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (20000, 20000)))
+            self.expect_failure(run, 1, "cannot write " + failed)
 
     # Stored streams
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef XmlFile_h
+#define XmlFile_h
+
+#include <string>
+
+class vtkDataObject;
+
+namespace XmlFile
+{
+
+/**
+ * Writes a data set, or a multiblock of data sets with a file for each, in VTK's XML formats. None of
+ * the data sets may be empty. Returns whether everything has been written.
+ */
+bool Write(const std::string& fileName, vtkDataObject* data);
+
+} // namespace XmlFile
+
+#endif

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the program carve writes opens in ParaView. CARVE is the program, of a build with Debian's VTK."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+import scene
+from paraview import simple
+from scene import ALL_LEVELS, MODELS, STREAM, arrays, blocks, fetch, open_model
+
+MODEL = "two-spheres.ply"
+
+
+class TestProgram(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup(simple.ResetSession)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.carver = simple.TopologyCarver(Input=open_model(MODEL))
+
+    def carve(self, *options):
+        subprocess.run([os.environ["CARVE"], os.path.join(MODELS, MODEL), *options], cwd=self.folder, check=True)
+
+    def opened(self, name):
+        return fetch(simple.OpenDataFile(os.path.join(self.folder, name)))
+
+    def carved(self, port):
+        """What the filter gives, in memory."""
+        self.carver.UpdatePipeline()
+        return fetch(self.carver, port)
+
+    def test_opens_levels_in_one_file(self):
+        """A .vtm has the filter's levels, under their names, with the same bytes."""
+        self.carve("-o", "levels.vtm")
+        written, levels = blocks(self.opened("levels.vtm")), blocks(self.carved(ALL_LEVELS))
+        self.assertEqual(list(written), list(levels))
+        for name, level in levels.items():
+            self.assertEqual(arrays(written[name]), arrays(level))
+
+    def test_opens_a_file_per_level(self):
+        """Each .vtp has the filter's level with the same bytes."""
+        self.carve("-o", "level.vtp")
+        for i, level in enumerate(blocks(self.carved(ALL_LEVELS)).values()):
+            self.assertEqual(arrays(self.opened(f"level_{i}.vtp")), arrays(level))
+
+    def test_opens_a_stream(self):
+        """A .vtu has the filter's stream with the same bytes."""
+        self.carve("--stream", "stream.vtu")
+        self.assertEqual(arrays(self.opened("stream.vtu")), arrays(self.carved(STREAM)))
+
+
+scene.run_tests(unittest)

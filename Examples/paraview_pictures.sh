@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
 folder=$(realpath -m "${1:-$root/Examples/images}")
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${paraview_packages[@]}" \
-  imagemagick libqt5svg5
+  imagemagick
 build release -DBUILD_TESTING=OFF
 bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
 build plugin-release -DTOPOLOGYCARVING_PARAVIEW=ON -DBUILD_TESTING=OFF \
@@ -30,8 +30,7 @@ picture() {
     xvfb-run -a -s '-screen 0 1152x764x24' bash -c '
       "$1/usr/bin/paraview" --dr --plugin-search-paths="$2" --plugins=TopologyCarving \
         --data-directory="$3" --test-directory="$3" --test-script="$3/$4.xml" >"$3/$4.log" 2>&1 &
-      for second in $(seq 60); do
-        grep -q "is finished" "$3/$4.log" && break
+      until grep -q "is finished" "$3/$4.log" || ! kill -0 $!; do
         sleep 1
       done
       sleep 2

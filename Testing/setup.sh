@@ -5,13 +5,17 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Everything that is made goes below this folder.
 build_root=${BUILD_DIR:-$root/build}
 
+# Whatever a build or a test uses itself is named, so that a machine with more on it hides nothing.
 build_packages=(
   ca-certificates ccache cmake g++ libcgal-dev libgmp-dev libmpfr-dev libtet1.5-dev libvtk9-dev
-  ninja-build zlib1g-dev)
-picture_packages=(libgl1-mesa-dri python3-vtk9 xauth xvfb)
+  libx11-dev ninja-build zlib1g-dev)
+picture_packages=(libgl1-mesa-dri python3 python3-vtk9 xauth xvfb)
 test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
 # Without python3-paraview, which excludes python3-vtk9: paraview_prefix.sh unpacks it elsewhere.
-paraview_packages=(mpi-default-bin paraview paraview-dev python3-xlib qtbase5-dev)
+# ParaView's icons are drawn by libqt5svg5, and its files parsed by libexpat1.
+paraview_packages=(
+  libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev libqt5svg5 mpi-default-bin
+  paraview paraview-dev python3-numpy python3-xlib qtbase5-dev)
 
 say() {
   printf '\n== %s\n' "$*"
@@ -22,23 +26,50 @@ die() {
   exit 1
 }
 
-# require_packages PACKAGE...: install what is missing, or say what to install.
+# outdated PACKAGE...: what apt knows newer versions of, among the packages and all that they rely on.
+outdated() {
+  comm -12 \
+    <(apt-cache depends --recurse --installed --important "$@" | grep '^[a-z0-9]' | sort -u) \
+    <(apt-get -s -qq dist-upgrade | awk '$1 == "Inst" { print $2 }' | sort -u)
+}
+
+# install_packages PACKAGE...: install or upgrade, or say what to run to that end.
+install_packages() {
+  local log=$build_root/apt.log
+  if [ "$(id -u)" -ne 0 ]; then
+    printf 'Packages are missing or outdated. Install them and run this again:\n\n' >&2
+    printf '  sudo apt-get install -y --no-install-recommends %s\n\n' "$*" >&2
+    return 1
+  fi
+  say "Installing $*"
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    -o Dpkg::Options::=--force-confold "$@" >"$log" 2>&1 || { tail -n 20 "$log" >&2; return 1; }
+}
+
+# require_packages PACKAGE...: install what is missing and, once a day, upgrade what is outdated: an old
+# library may hide what users of today's version meet. Offline, what is installed has to do.
 require_packages() {
-  local package missing=()
+  local package missing=() old=() today=$build_root/.packages-of-today
   command -v dpkg-query >/dev/null || die "This script is for Debian 12. Elsewhere, follow 'Building by hand' in README.md."
   for package in "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
-  [ ${#missing[@]} -eq 0 ] && return
-  if [ "$(id -u)" -ne 0 ]; then
-    printf 'Packages are missing. Install them and run this again:\n\n' >&2
-    printf '  sudo apt-get install -y --no-install-recommends %s\n\n' "${missing[*]}" >&2
+  if [ ${#missing[@]} -eq 0 ] && [ "$(find "$today" -mtime -1 -exec cat {} + 2>/dev/null)" = "$*" ]; then
+    return
+  fi
+  say "Looking for packages to install or upgrade"
+  if [ "$(id -u)" -eq 0 ] && ! apt-get update -qq --error-on=any; then
+    printf 'Not all packages that are new are known.\n' >&2
+    today=/dev/null
+  fi
+  if [ ${#missing[@]} -gt 0 ] && ! install_packages "${missing[@]}"; then
     exit 1
   fi
-  say "Installing ${missing[*]}"
-  apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
-    >"$build_root/apt.log" 2>&1 || { tail -n 20 "$build_root/apt.log" >&2; die "The packages could not be installed."; }
+  mapfile -t old < <(outdated "$@")
+  if [ ${#old[@]} -gt 0 ] && ! install_packages "${old[@]}"; then
+    today=/dev/null
+  fi
+  printf '%s' "$*" >"$today"
 }
 
 # build NAME [CMAKE_OPTION...]: configure and build into a folder of that name.

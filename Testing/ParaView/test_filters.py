@@ -167,7 +167,8 @@ class TestFilters(unittest.TestCase):
         """A mesh without volume gives a message and an empty level; the next mesh is carved."""
         script = os.path.join(os.path.dirname(scene.__file__), "flat_mesh.py")
         run = subprocess.run(
-            [os.environ["PVBATCH"], "--dr", script], capture_output=True, text=True, timeout=100)
+            [os.environ["PVBATCH"], "--dr", script], capture_output=True, text=True,
+            timeout=float(os.environ["PATIENCE"]))
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("lie in one plane", run.stdout + run.stderr)
         self.assertIn("carved the next one", run.stdout)

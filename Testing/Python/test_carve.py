@@ -24,6 +24,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
 CARVE = os.environ["CARVE"]
+PATIENCE = float(os.environ["PATIENCE"])  # seconds
 BONES = os.path.join(os.environ["MESHES"], "bones.off")
 
 
@@ -438,19 +439,19 @@ class TestCarve(unittest.TestCase):
         mesh = self.write(vtkXMLPolyDataWriter, "big.vtp", sphere.GetOutput())
         for end in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
             carve = subprocess.Popen([CARVE, mesh], stdout=subprocess.DEVNULL, cwd=self.folder)
+            self.addCleanup(carve.wait)
+            self.addCleanup(carve.kill)
             # The helper, and an attempt, which is a process of the helper's.
-            started = self.wait_for(lambda: descendants(carve.pid), lambda pids: len(pids) >= 2)
+            started = self.wait_for("an attempt", lambda: descendants(carve.pid), lambda pids: len(pids) >= 2)
             carve.send_signal(end)
             self.assertNotEqual(carve.wait(), 0)
-            left = self.wait_for(lambda: list(filter(is_running, started)), lambda pids: not pids)
-            self.assertEqual(left, [])
+            self.wait_for("the end of both", lambda: list(filter(is_running, started)), lambda pids: not pids)
 
-    def wait_for(self, look, good):
-        """What is seen as soon as it is good, or after a minute."""
-        for _ in range(6000):
-            seen = look()
-            if good(seen):
-                break
+    def wait_for(self, what, look, good):
+        """What is seen as soon as it is good."""
+        end = time.monotonic() + PATIENCE
+        while not good(seen := look()):
+            self.assertLess(time.monotonic(), end, f"waited in vain for {what}")
             time.sleep(0.01)
         return seen
 

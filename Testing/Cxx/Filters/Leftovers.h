@@ -9,12 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <thread>
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -47,7 +45,7 @@ public:
 
   void ExpectNone() const
   {
-    EXPECT_TRUE(AllProcessesEnd());
+    ExpectAllProcessesKilled();
     EXPECT_EQ(CountEntries(this->Folder), 0);
     EXPECT_EQ(CountEntries("/proc/self/fd"), this->OpenBefore);
   }
@@ -59,22 +57,15 @@ private:
       std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
   }
 
-  /** What has been killed is gone within a moment. */
-  static bool AllProcessesEnd()
+  /** What is left has been killed and is about to go: it does not come to an end of its own. */
+  static void ExpectAllProcessesKilled()
   {
-    for (int i = 0; i < 500; ++i)
+    int status = 0;
+    while (waitpid(-1, &status, 0) > 0)
     {
-      const pid_t ended = waitpid(-1, nullptr, WNOHANG);
-      if (ended < 0)
-      {
-        return errno == ECHILD;
-      }
-      if (ended == 0)
-      {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      }
+      EXPECT_TRUE(WIFSIGNALED(status)) << status;
     }
-    return false;
+    EXPECT_EQ(errno, ECHILD);
   }
 
   std::string Folder;

@@ -12,11 +12,11 @@ bool AttemptsAlike(
 {
   const bool enclosed = !reply.Result.Kept.empty();
   const bool snapped = reply.SnapDistance > 0.0;
-  const bool atOnce = reply.Attempts.empty(); // the first attempt succeeded
+  const bool unlimited = reply.Limits.empty(); // no attempt failed since it had reached a limit
   if (now.Conformity != before.Conformity)
   {
     // EXACT has the same attempts as AUTO, with more patience.
-    if (enclosed || !atOnce || before.Conformity == Conformity::Enclosing ||
+    if (enclosed || !unlimited || before.Conformity == Conformity::Enclosing ||
       now.Conformity != Conformity::Exact)
     {
       return false;
@@ -38,7 +38,7 @@ bool AttemptsAlike(
   }
   // A time limit of 0 is one that depends on the mesh.
   const bool moreTime = before.TimeLimit > 0.0 && now.TimeLimit > before.TimeLimit;
-  return now.TimeLimit == before.TimeLimit || (moreTime && atOnce);
+  return now.TimeLimit == before.TimeLimit || (moreTime && unlimited);
 }
 
 } // namespace
@@ -49,7 +49,7 @@ bool WouldAnswerAlike(const carving::Reply& reply, const HelperSettings& before,
   const bool moreMemory =
     before.MemoryLimit > 0.0 && (now.MemoryLimit == 0.0 || now.MemoryLimit > before.MemoryLimit);
   const bool memoryAlike =
-    now.MemoryLimit == before.MemoryLimit || (moreMemory && reply.Attempts.empty());
+    now.MemoryLimit == before.MemoryLimit || (moreMemory && reply.Limits.empty());
   return now.Initial == before.Initial && memoryAlike &&
     (dimension == 2 || AttemptsAlike(reply, before, now));
 }

@@ -80,12 +80,11 @@
  * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept. It
  * runs again only where that could differ:
  * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1 has changed;
- * - Conformity has, except from AUTO to EXACT for a mesh that was met at the first attempt;
+ * - Conformity has, except from AUTO to EXACT for a mesh that was met, no attempt having reached a limit;
  * - EnclosingTolerance has, for a mesh that is enclosed only;
  * - SnapTolerance has, for a mesh that was snapped, or that AUTO has enclosed only;
  * - SolidRule has, for a mesh of which the first attempts failed;
- * - TimeLimit or MemoryLimit has, except raised for a mesh that was met or, with ENCLOSING, enclosed at the
- *   first attempt.
+ * - TimeLimit or MemoryLimit has, except raised where no attempt had reached a limit.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
  * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and

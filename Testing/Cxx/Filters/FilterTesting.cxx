@@ -4,19 +4,26 @@
 #include "OffReader.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -26,7 +33,107 @@ namespace
 
 constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
 
+void ExpectEqualArrays(vtkAbstractArray* a, vtkAbstractArray* b)
+{
+  ASSERT_EQ(a->GetDataType(), b->GetDataType());
+  ASSERT_EQ(a->GetNumberOfComponents(), b->GetNumberOfComponents());
+  ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
+  if (auto* strings = vtkStringArray::SafeDownCast(a))
+  {
+    for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
+    {
+      ASSERT_EQ(strings->GetValue(i), vtkStringArray::SafeDownCast(b)->GetValue(i));
+    }
+    return;
+  }
+  ASSERT_TRUE(vtkDataArray::SafeDownCast(a));
+  EXPECT_EQ(std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+              a->GetNumberOfValues() * a->GetDataTypeSize()),
+    0);
+}
+
+void ExpectEqualArrays(vtkFieldData* a, vtkFieldData* b)
+{
+  ASSERT_EQ(a->GetNumberOfArrays(), b->GetNumberOfArrays());
+  for (int i = 0; i < a->GetNumberOfArrays(); ++i)
+  {
+    const char* name = a->GetArrayName(i);
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(b->GetAbstractArray(name));
+    ExpectEqualArrays(a->GetAbstractArray(i), b->GetAbstractArray(name));
+  }
+}
+
+void ExpectEqualCells(vtkCellArray* a, vtkCellArray* b)
+{
+  ExpectEqualArrays(a->GetOffsetsArray(), b->GetOffsetsArray());
+  ExpectEqualArrays(a->GetConnectivityArray(), b->GetConnectivityArray());
+}
+
+void ExpectEqualPoints(vtkPointSet* a, vtkPointSet* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  if (a->GetNumberOfPoints() > 0)
+  {
+    ExpectEqualArrays(a->GetPoints()->GetData(), b->GetPoints()->GetData());
+  }
+  ExpectEqualArrays(a->GetPointData(), b->GetPointData());
+  ExpectEqualArrays(a->GetCellData(), b->GetCellData());
+}
+
+void ExpectEqualBlocks(vtkMultiBlockDataSet* a, vtkMultiBlockDataSet* b)
+{
+  ASSERT_EQ(a->GetNumberOfBlocks(), b->GetNumberOfBlocks());
+  for (unsigned int i = 0; i < a->GetNumberOfBlocks(); ++i)
+  {
+    SCOPED_TRACE("block " + std::to_string(i));
+    ASSERT_EQ(a->HasMetaData(i), b->HasMetaData(i));
+    if (a->HasMetaData(i))
+    {
+      EXPECT_STREQ(a->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()),
+        b->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+    }
+    ASSERT_EQ(!a->GetBlock(i), !b->GetBlock(i));
+    if (a->GetBlock(i))
+    {
+      ExpectEqualData(a->GetBlock(i), b->GetBlock(i));
+    }
+  }
+}
+
 } // namespace
+
+void ExpectEqualData(vtkDataObject* a, vtkDataObject* b)
+{
+  ASSERT_STREQ(a->GetClassName(), b->GetClassName());
+  ExpectEqualArrays(a->GetFieldData(), b->GetFieldData());
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(a))
+  {
+    ExpectEqualBlocks(blocks, vtkMultiBlockDataSet::SafeDownCast(b));
+  }
+  else if (auto* table = vtkTable::SafeDownCast(a))
+  {
+    ExpectEqualArrays(table->GetRowData(), vtkTable::SafeDownCast(b)->GetRowData());
+  }
+  else if (auto* surface = vtkPolyData::SafeDownCast(a))
+  {
+    auto* other = vtkPolyData::SafeDownCast(b);
+    ExpectEqualPoints(surface, other);
+    ExpectEqualCells(surface->GetVerts(), other->GetVerts());
+    ExpectEqualCells(surface->GetLines(), other->GetLines());
+    ExpectEqualCells(surface->GetPolys(), other->GetPolys());
+    ExpectEqualCells(surface->GetStrips(), other->GetStrips());
+  }
+  else
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(a);
+    auto* other = vtkUnstructuredGrid::SafeDownCast(b);
+    ASSERT_TRUE(grid);
+    ExpectEqualPoints(grid, other);
+    ExpectEqualCells(grid->GetCells(), other->GetCells());
+    ExpectEqualArrays(grid->GetCellTypesArray(), other->GetCellTypesArray());
+  }
+}
 
 std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* mesh)
 {

@@ -29,6 +29,9 @@ int GetLevelStep(vtkCarverAlgorithm* carver, int level);
 /** The notes in the field data of port 0, a line each. */
 std::string GetNotes(vtkCarverAlgorithm* carver);
 
+/** The same tree, names, points, cells and arrays, bit for bit, in whatever order the arrays are. */
+void ExpectEqualData(vtkDataObject* a, vtkDataObject* b);
+
 /** Collects the errors and warnings of a filter, which are then not printed. */
 class Messages
 {

@@ -229,7 +229,6 @@ TEST(Input, MayBeALevel)
   EXPECT_EQ(ids.size(), static_cast<std::size_t>(level->GetNumberOfCells()));
 }
 
-// Equal triangles count once where they face the same way; where they do not, neither gets lost: a
 // Coordinates in single precision are those of the levels, in double precision.
 TEST(Input, MayBeInSinglePrecision)
 {

@@ -149,6 +149,7 @@ TEST(InputPolygons, MayHaveTooFewCorners)
   EXPECT_EQ(GetTriangles(LastLevel(Carve(mesh))), expected);
 }
 
+// Equal triangles count once where they face the same way; where they do not, neither gets lost: a
 // sheet with two sides is a fold, and boxes that share a side are one solid.
 TEST(InputPolygons, MayCoincide)
 {

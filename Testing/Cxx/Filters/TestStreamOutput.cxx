@@ -4,12 +4,63 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+
+namespace
+{
+
+/**
+ * How many triangles a level has by what the stream documents: those of M with a step up to its own, and
+ * the other faces of tetrahedra that are left, where the exterior is on their other side.
+ */
+vtkIdType CountTriangles(vtkUnstructuredGrid* stream, int level)
+{
+  vtkDataArray* steps = stream->GetCellData()->GetArray("Step");
+  std::map<std::array<vtkIdType, 3>, int> tetrahedraLeft;
+  vtkIdType count = 0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < stream->GetNumberOfCells(); ++cell)
+  {
+    stream->GetCellPoints(cell, corners);
+    const double step = steps->GetTuple1(cell);
+    std::sort(corners->begin(), corners->end());
+    if (stream->GetCellType(cell) == VTK_TETRA && step > level)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        std::array<vtkIdType, 3> face;
+        std::copy_if(corners->begin(), corners->end(), face.begin(),
+          [&](vtkIdType corner) { return corner != corners->GetId(i); });
+        ++tetrahedraLeft[face];
+      }
+    }
+  }
+  for (vtkIdType cell = 0; cell < stream->GetNumberOfCells(); ++cell)
+  {
+    if (stream->GetCellType(cell) == VTK_TRIANGLE)
+    {
+      stream->GetCellPoints(cell, corners);
+      std::sort(corners->begin(), corners->end());
+      tetrahedraLeft.erase({ corners->GetId(0), corners->GetId(1), corners->GetId(2) });
+      const double step = steps->GetTuple1(cell);
+      count += step >= 0 && step <= level;
+    }
+  }
+  return count +
+    std::count_if(tetrahedraLeft.begin(), tetrahedraLeft.end(),
+      [](const auto& face) { return face.second == 1; });
+}
+
+} // namespace
 
 // The stream holds the complement's tetrahedra and M's triangles, and any level can be counted from
 // their steps.
@@ -54,6 +105,11 @@ TEST(StreamOutput, WritesTheStream)
     inputFacesOnHull += original->GetTuple1(i) >= 0;
   }
   EXPECT_EQ(onHull, inputFacesOnHull);
+  for (int i = 0; i < 8; ++i)
+  {
+    EXPECT_EQ(
+      CountTriangles(stream, GetLevelStep(carver, i)), GetLevel(carver, i)->GetNumberOfPolys());
+  }
 }
 
 // The profile has a row per step, whose counts are those of the levels.

@@ -140,6 +140,24 @@ Tetrahedralization Row(int n)
   return Assemble(points, cells, { { n, n + 1, n + 2 } });
 }
 
+Tetrahedralization EvenRow(int n, const std::vector<Triangle>& triangles)
+{
+  std::vector<Point> points;
+  std::vector<std::array<int, 4>> cells;
+  for (int i = 0; i < n + 3; ++i)
+  {
+    // Around the corners of a square: any four in a row have the same mean of y and of z.
+    const int corner = i % 4;
+    points.push_back(
+      { static_cast<double>(i), corner == 1 || corner == 2 ? 1.0 : 0.0, corner < 2 ? 0.0 : 1.0 });
+    if (i >= 3)
+    {
+      cells.push_back({ i - 3, i - 2, i - 1, i });
+    }
+  }
+  return Assemble(points, cells, triangles);
+}
+
 Stream CarveOneByOne(const Tetrahedralization& mesh)
 {
   Stream stream;

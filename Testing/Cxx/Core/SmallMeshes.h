@@ -37,6 +37,12 @@ std::vector<carving::Triangle> Joined(
  */
 carving::Tetrahedralization Row(int n);
 
+/**
+ * A row of `n` congruent tetrahedra, each of which shares a face with the next; cell i has the points i
+ * to i + 3, and its centroid is exactly 1 away from that of the next. M is `triangles`.
+ */
+carving::Tetrahedralization EvenRow(int n, const std::vector<carving::Triangle>& triangles = {});
+
 /** A stream with one tetrahedron a step. */
 carving::Stream CarveOneByOne(const carving::Tetrahedralization& mesh);
 

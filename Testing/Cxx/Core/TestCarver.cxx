@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carver.h"
 #include "SmallMeshes.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 using namespace carving;
 
@@ -124,18 +125,26 @@ TEST(Carver, HasNothingToDoForASolidThatFillsItsHull)
   EXPECT_EQ(CarveAll(small::NestedTetrahedra(small::OuterFaces()), true).LastStep(), 0);
 }
 
-// Carving stops when the caller wants it to.
+// Carving stops when the caller wants it to, at the start or on the way.
 TEST(Carver, StopsOnRequest)
 {
-  const Tetrahedralization mesh = small::Row(6);
-  Stream stream;
-  EXPECT_FALSE(Carve(mesh, Classify(mesh), {}, stream, [](double) { return false; }));
+  const Tetrahedralization mesh = small::EvenRow(20000);
+  CarveOptions options;
+  options.CarveExposed = false;
+  for (const int wanted : { 1, 3 })
+  {
+    int reports = 0;
+    Stream stream;
+    EXPECT_FALSE(
+      Carve(mesh, Classify(mesh), options, stream, [&](double) { return ++reports < wanted; }));
+    EXPECT_EQ(reports, wanted);
+  }
 }
 
-// Progress never falls, and ends at 1.
+// Progress begins at 0, grows from report to report, and ends at 1.
 TEST(Carver, ReportsProgress)
 {
-  const Tetrahedralization mesh = small::Row(20);
+  const Tetrahedralization mesh = small::EvenRow(20000);
   std::vector<double> reports;
   Stream stream;
   CarveOptions options;
@@ -146,7 +155,10 @@ TEST(Carver, ReportsProgress)
       reports.push_back(fraction);
       return true;
     });
-  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  ASSERT_GE(reports.size(), 5u);
+  EXPECT_EQ(reports.front(), 0.0);
+  EXPECT_EQ(
+    std::adjacent_find(reports.begin(), reports.end(), std::greater_equal<>()), reports.end());
   EXPECT_EQ(reports.back(), 1.0);
 }
 
@@ -167,22 +179,28 @@ TEST(Carver, CarvesByVolume)
   EXPECT_NEAR(stream.StepPriority[1], 27.0 / 6.0, 1e-12);
 }
 
-// Equation (2): with dp = 1 a tetrahedron of depth 2 counts half.
+// Equation (2): a tetrahedron of depth 2 counts half with dp = 1, and a quarter with dp = 2.
 TEST(Carver, DividesPriorityByAPowerOfDepth)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
   CarveOptions options;
   options.CarveExposed = false;
-  Stream plain, deep;
-  Carve(mesh, Classify(mesh), options, plain);
-  options.DepthExponent = 2.0;
-  Carve(mesh, Classify(mesh), options, deep);
   const std::vector<double> priorities = ComputePriorities(mesh, PriorityMeasure::LongestEdge);
-  for (int cell = 0; cell < 12; ++cell)
+  for (const auto& [exponent, share] : { std::pair(0.0, 1.0), { 1.0, 0.5 }, { 2.0, 0.25 } })
   {
-    EXPECT_EQ(plain.Priority[cell], priorities[cell]);
-    EXPECT_NEAR(
-      deep.Priority[cell], priorities[cell] / (deep.Depth[cell] * deep.Depth[cell]), 1e-12);
+    options.DepthExponent = exponent;
+    Stream stream;
+    Carve(mesh, Classify(mesh), options, stream);
+    EXPECT_EQ(std::count(stream.Depth.begin(), stream.Depth.end(), 1.0), 4);
+    EXPECT_GT(std::count(stream.Depth.begin(), stream.Depth.end(), 2.0), 0);
+    for (int cell = 0; cell < 12; ++cell)
+    {
+      if (stream.Depth[cell] <= 2.0)
+      {
+        EXPECT_DOUBLE_EQ(
+          stream.Priority[cell], (stream.Depth[cell] == 1.0 ? 1.0 : share) * priorities[cell]);
+      }
+    }
   }
 }
 
@@ -219,41 +237,38 @@ TEST(Carver, KeepsPrioritiesFinite)
   EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
 }
 
-// A step takes along what lies within the breadth radius, and nothing that lies farther.
+// A step takes along what lies within the breadth radius on either side, and nothing that lies farther.
 TEST(Carver, CarvesWithinTheBreadthRadius)
 {
-  const Tetrahedralization mesh = small::Row(12);
+  const Tetrahedralization mesh = small::EvenRow(12); // centroids are 1 apart
   CarveOptions options;
   options.CarveExposed = false;
-  options.BreadthRadius = 1.0;
+  options.DepthExponent = 1.0;
+  options.Depths.assign(12, 2.0);
+  options.Depths[5] = 1.0; // the first, then by index
   Stream stream;
+  options.BreadthRadius = 2.0;
   Carve(mesh, Classify(mesh), options, stream);
-  // In a row the walk ends at the first tetrahedron that is too far away.
-  int step = 1, first = 0;
-  for (int cell = 0; cell < 12; ++cell)
-  {
-    if (Length(mesh.Centroid(cell) - mesh.Centroid(first)) > options.BreadthRadius)
-    {
-      ++step;
-      first = cell;
-    }
-    EXPECT_EQ(stream.Step[cell], step);
-  }
-  EXPECT_GT(step, 1);
-  EXPECT_LT(step, 12);
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 2, 2, 1, 1, 1, 1, 1, 3, 3, 3, 4 }));
+  options.BreadthRadius = 1.99;
+  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 2, 3, 3, 1, 1, 1, 4, 4, 5, 5, 6 }));
 }
 
-// A radius larger than the mesh carves all that can be reached in one step, but not through M.
+// A radius larger than the mesh carves in one step all that can be reached, but not through M.
 TEST(Carver, DoesNotWalkThroughConstrainingFaces)
 {
-  const Tetrahedralization mesh =
-    small::NestedTetrahedra(small::Joined(small::InnerFaces(), { { 0, 1, 4 }, { 1, 5, 4 } }));
+  // The face between the cells 5 and 6.
+  const Tetrahedralization mesh = small::EvenRow(12, { { 6, 7, 8 } });
   CarveOptions options;
   options.BreadthRadius = 100.0;
-  Stream stream;
-  Carve(mesh, Classify(mesh), options, stream);
-  EXPECT_EQ(stream.LastStep(), 1);
-  EXPECT_EQ(stream.Step[12], Stream::Never);
+  for (const bool exposed : { false, true })
+  {
+    options.CarveExposed = exposed;
+    Stream stream;
+    Carve(mesh, Classify(mesh), options, stream);
+    EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2 }));
+  }
 }
 
 // Voids can be left closed.

@@ -55,28 +55,6 @@ class TestPackage(unittest.TestCase):
         carver.Update()
         self.assertGreater(carver.GetOutput().GetNumberOfBlocks(), 1)
 
-    def test_has_documented_defaults(self):
-        """Defaults and enumeration values are those of the documentation."""
-        carver = vtkTopologyCarver()
-        self.assertEqual(carver.GetNumberOfLevels(), 8)
-        self.assertEqual(carver.GetLevelTargetType(), carver.VERTICES)
-        self.assertEqual(carver.GetInitialApproximation(), carver.CONVEX_HULL)
-        self.assertEqual(carver.GetPriorityMeasure(), carver.LONGEST_EDGE)
-        self.assertEqual(carver.GetDepthMeasure(), carver.HIERARCHY)
-        self.assertEqual(carver.GetSolidRule(), carver.NONZERO_WINDING)
-        self.assertEqual((carver.GetDepthExponent(), carver.GetBreadthRadius()), (0.0, 0.0))
-        self.assertTrue(carver.GetCarveExposed())
-        self.assertTrue(carver.GetCarveVoids())
-        self.assertEqual(
-            (carver.GetMaximumComponents(), carver.GetMaximumTunnels(), carver.GetMaximumVoids()), (-1, -1, -1))
-        self.assertEqual((carver.CONVEX_HULL, carver.BOUNDING_BOX), (0, 1))
-        self.assertEqual((carver.LONGEST_EDGE, carver.VOLUME, carver.CIRCUMRADIUS, carver.EDGE_VOLUME), (0, 1, 2, 3))
-        self.assertEqual((carver.HIERARCHY, carver.DISTANCE), (0, 1))
-        self.assertEqual((carver.NONZERO_WINDING, carver.EVEN_ODD, carver.SURFACE_ONLY), (0, 1, 2))
-        self.assertEqual((carver.VERTICES, carver.TRIANGLES), (0, 1))
-        carver.SetNumberOfLevels(0)
-        self.assertEqual(carver.GetNumberOfLevels(), 1)
-
     def test_reports_errors(self):
         """A flat mesh raises an error event whose text says what is wrong."""
         errors = []

@@ -204,9 +204,11 @@ TEST(CarvingProperties, AreClamped)
   carver->SetDepthExponent(-1.0);
   carver->SetBreadthRadius(-1.0);
   carver->SetPriorityMeasure(17);
+  carver->SetNumberOfLevels(0);
   EXPECT_EQ(carver->GetDepthExponent(), 0.0);
   EXPECT_EQ(carver->GetBreadthRadius(), 0.0);
   EXPECT_EQ(carver->GetPriorityMeasure(), vtkTopologyCarver::EDGE_VOLUME);
+  EXPECT_EQ(carver->GetNumberOfLevels(), 1);
 }
 
 // A number that is not finite is refused with an error that names the property, which stays as it was.

@@ -219,22 +219,15 @@ TEST(TopologyCarver, IsDeterministic)
   }
 }
 
-// PrintSelf names every property and its value.
-TEST(TopologyCarver, PrintsItself)
+// PrintSelf lists the level targets; a test in Python looks for all properties that have one value.
+TEST(TopologyCarver, PrintsItsLevelTargets)
 {
   vtkNew<vtkTopologyCarver> carver;
   carver->AddLevelTarget(123);
+  carver->AddLevelTarget(45);
   std::ostringstream text;
   carver->Print(text);
-  for (const char* expected :
-    { "InitialApproximation: CONVEX_HULL", "PriorityMeasure: LONGEST_EDGE", "DepthExponent: 0",
-      "DepthMeasure: HIERARCHY", "BreadthRadius: 0", "CarveExposed: On", "CarveVoids: On",
-      "MaximumComponents: -1", "MaximumTunnels: -1", "MaximumVoids: -1",
-      "SolidRule: NONZERO_WINDING", "KeepBothFoldSides: AUTO", "ManifoldOutput: On",
-      "NumberOfLevels: 8", "LevelTargetType: VERTICES", "LevelTargets: 123" })
-  {
-    EXPECT_NE(text.str().find(expected), std::string::npos) << expected;
-  }
+  EXPECT_NE(text.str().find("LevelTargets: 123 45\n"), std::string::npos);
 }
 
 // Progress runs through all stages, never falls, and ends at 1.

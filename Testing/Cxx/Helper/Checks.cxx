@@ -2,14 +2,17 @@
 #include "Checks.h"
 
 #include "Kernels.h"
-#include "Vector.h"
 
+#include <CGAL/MP_Float.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/convex_hull_3.h>
+#include <CGAL/determinant.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 using carving::Point;
 using carving::Triangle;
@@ -88,41 +91,64 @@ int CountCrossings(const std::vector<Point>& points, const std::vector<Triangle>
   return crossings;
 }
 
+bool IsClosed(const std::vector<Triangle>& triangles)
+{
+  std::map<std::pair<int, int>, int> passages;
+  for (const Triangle& t : triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = t[i], b = t[(i + 1) % 3];
+      passages[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return std::all_of(
+    passages.begin(), passages.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
 double SixVolume(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : triangles)
+  CGAL::MP_Float sum = 0;
+  for (const Triangle& t : triangles)
   {
-    sum += carving::Dot(points[a], carving::Cross(points[b], points[c]));
+    const auto at = [&](int corner, int axis) { return CGAL::MP_Float(points[t[corner]][axis]); };
+    sum += CGAL::determinant(
+      at(0, 0), at(0, 1), at(0, 2), at(1, 0), at(1, 1), at(1, 2), at(2, 0), at(2, 1), at(2, 2));
   }
-  return sum;
+  return CGAL::to_double(sum);
+}
+
+Passages CountPassages(
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& point)
+{
+  const Inexact::Point_3 p = ToInexact(point);
+  const Inexact::Point_3 q = p + Inexact::Vector_3(1234.56789, 2718.28182, 3141.59265);
+  Passages passages;
+  for (const Triangle& t : triangles)
+  {
+    const Inexact::Point_3 a = ToInexact(points[t[0]]), b = ToInexact(points[t[1]]),
+                           c = ToInexact(points[t[2]]);
+    const auto sideOfP = CGAL::orientation(a, b, c, p), sideOfQ = CGAL::orientation(a, b, c, q);
+    if (sideOfP == sideOfQ || sideOfP == CGAL::COPLANAR)
+    {
+      continue;
+    }
+    const auto ab = CGAL::orientation(p, q, a, b);
+    if (ab == CGAL::orientation(p, q, b, c) && ab == CGAL::orientation(p, q, c, a))
+    {
+      passages.Sum += sideOfP == CGAL::NEGATIVE ? 1 : -1;
+      ++passages.Count;
+    }
+  }
+  return passages;
 }
 
 bool Encloses(
   const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& point)
 {
-  // Parity of crossings on the way out, in a direction that is in line with nothing.
-  const Inexact::Point_3 p = ToInexact(point);
-  const Inexact::Point_3 q = p + Inexact::Vector_3(1234.56789, 2718.28182, 3141.59265);
-  bool inside = false;
-  for (const Triangle& t : triangles)
-  {
-    const Inexact::Point_3 a = ToInexact(points[t[0]]), b = ToInexact(points[t[1]]),
-                           c = ToInexact(points[t[2]]);
-    const auto sideOfP = CGAL::orientation(a, b, c, p);
-    if (sideOfP == CGAL::COPLANAR)
-    {
-      if (CGAL::do_intersect(Inexact::Triangle_3(a, b, c), p))
-      {
-        return true;
-      }
-      continue;
-    }
-    const auto ab = CGAL::orientation(p, q, a, b);
-    inside ^= sideOfP != CGAL::orientation(a, b, c, q) && ab == CGAL::orientation(p, q, b, c) &&
-      ab == CGAL::orientation(p, q, c, a);
-  }
-  return inside;
+  const bool touches = std::any_of(triangles.begin(), triangles.end(),
+    [&](const Triangle& t) { return CGAL::do_intersect(ToTriangle(points, t), ToInexact(point)); });
+  return touches || CountPassages(points, triangles, point).Count % 2 != 0;
 }
 
 Hull ConvexHull(const std::vector<Point>& points)
@@ -134,27 +160,27 @@ Hull ConvexHull(const std::vector<Point>& points)
   }
   CGAL::Surface_mesh<Inexact::Point_3> mesh;
   CGAL::convex_hull_3(all.begin(), all.end(), mesh);
-  Hull hull = { {}, 0.0 };
+  std::vector<Point> vertices;
   for (const auto vertex : mesh.vertices())
   {
     const auto& p = mesh.point(vertex);
-    hull.Vertices.push_back({ p.x(), p.y(), p.z() });
+    vertices.push_back({ p.x(), p.y(), p.z() });
   }
-  std::sort(hull.Vertices.begin(), hull.Vertices.end());
+  std::vector<Triangle> triangles;
   for (const auto face : mesh.faces())
   {
-    auto halfedge = mesh.halfedge(face);
-    const auto& a = mesh.point(mesh.source(halfedge));
-    for (halfedge = mesh.next(halfedge); mesh.target(halfedge) != mesh.source(mesh.halfedge(face));
-         halfedge = mesh.next(halfedge))
+    const auto halfedge = mesh.halfedge(face);
+    const int first = static_cast<int>(mesh.source(halfedge));
+    for (auto next = mesh.next(halfedge); mesh.target(next) != mesh.source(halfedge);
+         next = mesh.next(next))
     {
-      const auto& b = mesh.point(mesh.source(halfedge));
-      const auto& c = mesh.point(mesh.target(halfedge));
-      hull.SixVolume += carving::Dot(
-        { a.x(), a.y(), a.z() }, carving::Cross({ b.x(), b.y(), b.z() }, { c.x(), c.y(), c.z() }));
+      triangles.push_back(
+        { first, static_cast<int>(mesh.source(next)), static_cast<int>(mesh.target(next)) });
     }
   }
-  return hull;
+  const double sixVolume = SixVolume(vertices, triangles);
+  std::sort(vertices.begin(), vertices.end());
+  return { vertices, sixVolume };
 }
 
 bool LineHits(const std::vector<Point>& points, const std::vector<Triangle>& triangles,

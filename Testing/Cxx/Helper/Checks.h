@@ -17,9 +17,21 @@ namespace checks
 int CountCrossings(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
 
-/** Six times the volume that a closed surface bounds. */
+/** Whether every edge is passed as often in one direction as in the other. */
+bool IsClosed(const std::vector<carving::Triangle>& triangles);
+
+/** Six times the volume that a closed surface bounds. Exact, but for a last rounding. */
 double SixVolume(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
+
+/** The triangles that a ray from a point passes. Exact; the ray is in line with nothing. */
+struct Passages
+{
+  int Sum = 0;   ///< those that it passes to their front, less those that it passes to their back
+  int Count = 0; ///< all of them
+};
+Passages CountPassages(const std::vector<carving::Point>& points,
+  const std::vector<carving::Triangle>& triangles, const carving::Point& point);
 
 /** Whether a closed surface has a point on or inside it. Exact. */
 bool Encloses(const std::vector<carving::Point>& points,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ManifoldCheck.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -70,4 +71,53 @@ checks::ManifoldFaults checks::FindFaults(const Level<3>& level, const ManifoldL
     faults.SeveralFans += !IsOneFan(link);
   }
   return faults;
+}
+
+int checks::Genus(const ManifoldLevel<3>& cut)
+{
+  std::map<int, std::vector<int>> facesAround;
+  for (std::size_t i = 0; i < cut.Faces.size(); ++i)
+  {
+    for (const int vertex : cut.Faces[i])
+    {
+      facesAround[vertex].push_back(static_cast<int>(i));
+    }
+  }
+  int genus = 0;
+  std::set<int> seen;
+  for (const auto& start : facesAround)
+  {
+    std::vector<int> stack = { start.first };
+    std::set<int> faces;
+    std::map<std::pair<int, int>, int> edges;
+    int vertices = 0;
+    while (!stack.empty())
+    {
+      const int vertex = stack.back();
+      stack.pop_back();
+      if (!seen.insert(vertex).second)
+      {
+        continue;
+      }
+      ++vertices;
+      for (const int face : facesAround[vertex])
+      {
+        if (faces.insert(face).second)
+        {
+          const auto& [a, b, c] = cut.Faces[face];
+          stack.insert(stack.end(), { a, b, c });
+          ++edges[std::minmax(a, b)];
+          ++edges[std::minmax(b, c)];
+          ++edges[std::minmax(c, a)];
+        }
+      }
+    }
+    const bool closed =
+      std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 2; });
+    if (vertices > 0 && closed)
+    {
+      genus += (2 - vertices + static_cast<int>(edges.size()) - static_cast<int>(faces.size())) / 2;
+    }
+  }
+  return genus;
 }

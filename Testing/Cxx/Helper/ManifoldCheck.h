@@ -22,6 +22,9 @@ struct ManifoldFaults
 
 ManifoldFaults FindFaults(const carving::Level<3>& level, const carving::ManifoldLevel<3>& cut);
 
+/** The genus of all closed components together, by V - E + F of each. */
+int Genus(const carving::ManifoldLevel<3>& cut);
+
 inline bool operator==(const ManifoldFaults& a, const ManifoldFaults& b)
 {
   return a.CrowdedEdges == b.CrowdedEdges && a.MisorientedEdges == b.MisorientedEdges &&

@@ -35,10 +35,10 @@ void ExpectProperties(
   const carving::TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples);
 
 /**
- * What the last level of closed solids bounds is where the given mesh winds around a point, at random
- * points.
+ * What the last level of closed solids bounds is what the rule says to be solid of the given mesh, at
+ * random points around and within it.
  */
-void ExpectSolidByWinding(const carving::TriangleMesh& given, const Carved& carved,
-  const carving::Level<3>& last, std::mt19937_64& random);
+void ExpectSolid(const carving::TriangleMesh& given, const Carved& carved, carving::SolidRule rule,
+  std::mt19937_64& random);
 
 #endif

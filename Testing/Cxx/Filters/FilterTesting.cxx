@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
-#include "OffReader.h"
+#include "RealMeshes.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -175,14 +175,7 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh)
 
 vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name)
 {
-  OffMesh off;
-  EXPECT_EQ(ReadOff(std::string(TOPOLOGYCARVING_MESHES) + "/" + name, off), "");
-  carving::TriangleMesh mesh = { off.Points, {} };
-  for (const std::vector<int>& face : off.Faces)
-  {
-    mesh.Triangles.push_back({ face.at(0), face.at(1), face.at(2) });
-  }
-  return ToPolyData(mesh);
+  return ToPolyData(ReadRealMesh(name));
 }
 
 vtkSmartPointer<vtkPolyData> TwoBoxes()

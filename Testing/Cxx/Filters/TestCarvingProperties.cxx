@@ -51,7 +51,8 @@ vtkIdType CountTriangles(vtkTopologyCarver* carver)
 TEST(CarvingProperties, StartFromABoundingBox)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(models::Sphere(2)));
+  auto sphere = ToPolyData(models::Sphere(2));
+  carver->SetInputData(sphere);
   carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
   carver->SetNumberOfLevels(2);
   carver->Update();
@@ -67,7 +68,7 @@ TEST(CarvingProperties, StartFromABoundingBox)
   EXPECT_EQ(box->GetNumberOfPolys(), 12);
   EXPECT_EQ(GetFieldValue(carver, 0, "NewVertices"), 8);
   EXPECT_EQ(GetFieldValue(carver, 1, "NewVertices"), 0);
-  EXPECT_EQ(GetLevel(carver, 1)->GetNumberOfPolys(), 320);
+  EXPECT_EQ(GetTriangles(GetLevel(carver, 1)), GetTriangles(sphere));
 }
 
 // The initial approximation is the one property that needs the helper program again.
@@ -156,7 +157,8 @@ TEST(CarvingProperties, GiveFeatureSizeAsALength)
 TEST(CarvingProperties, TakeFewerStepsWithBreadth)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("elephant.off"));
+  auto input = ReadReal("elephant.off");
+  carver->SetInputData(input);
   int steps = 0;
   for (const double radius : { 0.1, 0.01, 0.0 })
   {
@@ -164,7 +166,7 @@ TEST(CarvingProperties, TakeFewerStepsWithBreadth)
     carver->Update();
     EXPECT_GT(GetLevelStep(carver, 7), steps);
     steps = GetLevelStep(carver, 7);
-    EXPECT_EQ(GetLevel(carver, 7)->GetNumberOfPolys(), 5558);
+    EXPECT_EQ(GetTriangles(GetLevel(carver, 7)), GetTriangles(input));
   }
 }
 

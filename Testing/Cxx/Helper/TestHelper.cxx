@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
 #include "HelperRun.h"
+#include "RealMeshes.h"
 #include "Shapes.h"
 #include "Vector.h"
 
@@ -94,6 +96,15 @@ TEST(Helper, ResolvesAndCountsIntersections)
   EXPECT_GT(run.Reply.IntersectingPairs, 0);
   EXPECT_EQ(RunHelper(mesh, JobKind::CountIntersections).Reply.IntersectingPairs,
     run.Reply.IntersectingPairs);
+}
+
+// So many pairs of the bones cross each other as a count by other means, with exact predicates, finds.
+TEST(Helper, CountsTheIntersectionsOfBones)
+{
+  const TriangleMesh mesh = ReadRealMesh("bones.off");
+  const int pairs = RunHelper(mesh, JobKind::CountIntersections).Reply.IntersectingPairs;
+  EXPECT_EQ(pairs, checks::CountCrossings(mesh.Points, mesh.Triangles));
+  EXPECT_GT(pairs, 100);
 }
 
 // In a box grown by a hundredth of its diagonal, the tetrahedra fill that, and even a flat mesh has a

@@ -33,6 +33,14 @@ namespace
 
 constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
 
+void Log(const std::string& message)
+{
+  if (const char* name = std::getenv("TOPOLOGYCARVING_MESSAGE_LOG"))
+  {
+    std::ofstream(name, std::ios::app) << message << '\0';
+  }
+}
+
 void ExpectEqualArrays(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   ASSERT_EQ(a->GetDataType(), b->GetDataType());
@@ -201,6 +209,7 @@ std::string GetNotes(vtkCarverAlgorithm* carver)
   std::string text;
   for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
   {
+    Log(notes->GetValue(i));
     text += notes->GetValue(i) + "\n";
   }
   return text;
@@ -216,6 +225,8 @@ Messages::Messages(vtkAlgorithm* filter)
 
 Messages::~Messages()
 {
+  // Not when it comes: there may be no file to be had at that time.
+  std::for_each(this->All.begin(), this->All.end(), Log);
   this->Filter->RemoveObserver(this->Tags[0]);
   this->Filter->RemoveObserver(this->Tags[1]);
   this->Filter->GetExecutive()->RemoveObserver(this->Tags[2]);
@@ -224,11 +235,13 @@ Messages::~Messages()
 void Messages::AddError(vtkObject*, unsigned long, void* text)
 {
   this->Errors.emplace_back(static_cast<const char*>(text));
+  this->All.push_back(this->Errors.back());
 }
 
 void Messages::AddWarning(vtkObject*, unsigned long, void* text)
 {
   this->Warnings.emplace_back(static_cast<const char*>(text));
+  this->All.push_back(this->Warnings.back());
 }
 
 OtherHelper::OtherHelper(const std::string& path)

@@ -32,7 +32,10 @@ std::string GetNotes(vtkCarverAlgorithm* carver);
 /** The same tree, names, points, cells and arrays, bit for bit, in whatever order the arrays are. */
 void ExpectEqualData(vtkDataObject* a, vtkDataObject* b);
 
-/** Collects the errors and warnings of a filter, which are then not printed. */
+/**
+ * Collects the errors and warnings of a filter, which are then not printed. These and notes also go to the
+ * file that TOPOLOGYCARVING_MESSAGE_LOG names, for the test that holds them against the README.
+ */
 class Messages
 {
 public:
@@ -54,6 +57,7 @@ private:
 
   vtkAlgorithm* Filter;
   unsigned long Tags[3];
+  std::vector<std::string> All; ///< also those that a test has seen and cleared
 };
 
 /** The triangles of a mesh by coordinates, rotated so that the smallest corner comes first. */

@@ -72,26 +72,28 @@ private:
   std::ptrdiff_t OpenBefore;
 };
 
-/** While it lives, no file can become longer: what writing to a full disk comes to. */
-class FileSizeLimit
+/** While it lives, this process and those that it starts have less of something. */
+class ResourceLimit
 {
 public:
-  explicit FileSizeLimit(rlim_t bytes)
+  ResourceLimit(__rlimit_resource_t resource, rlim_t most)
+    : Resource(resource)
   {
-    signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &this->Before);
-    const rlimit limit = { bytes, this->Before.rlim_max };
-    setrlimit(RLIMIT_FSIZE, &limit);
+    signal(SIGXFSZ, SIG_IGN); // the end of a process that makes a file too long
+    getrlimit(resource, &this->Before);
+    const rlimit limit = { most, this->Before.rlim_max };
+    setrlimit(resource, &limit);
   }
-  ~FileSizeLimit()
+  ~ResourceLimit()
   {
-    setrlimit(RLIMIT_FSIZE, &this->Before);
+    setrlimit(this->Resource, &this->Before);
     signal(SIGXFSZ, SIG_DFL);
   }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  void operator=(const FileSizeLimit&) = delete;
+  ResourceLimit(const ResourceLimit&) = delete;
+  void operator=(const ResourceLimit&) = delete;
 
 private:
+  __rlimit_resource_t Resource;
   rlimit Before = {};
 };
 

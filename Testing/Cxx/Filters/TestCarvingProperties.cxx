@@ -95,6 +95,19 @@ TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
   EXPECT_EQ(messages.Errors.size(), 1u);
 }
 
+// To start from a mesh that there is not is an error, which says where it is missed.
+TEST(CarvingProperties, NeedAMeshToStartFrom)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(TwoBoxes());
+  carver->SetInitialApproximation(vtkTopologyCarver::CUSTOM);
+  carver->Update();
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find("input port 1"), std::string::npos) << messages.Errors[0];
+  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
 // Depth by distance is that of the centroid from the hull, here from the sides of a box.
 TEST(CarvingProperties, MeasureDepthAsDistance)
 {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
+#include "vtkExtractCarvedLOD.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkTable.h"
@@ -107,6 +109,36 @@ TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
   carver->SetNumberOfLevels(2);
   carver->Update();
   EXPECT_TRUE(messages.Errors.empty());
+}
+
+// What is no stream in a tree of streams is named; the levels of the others come out all the same.
+TEST(Composite, GivesTheLevelsOfStreamsAlone)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->Update();
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, TwoBoxes());
+  scene->SetBlock(1, carver->GetOutputDataObject(1));
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetInputDataObject(0, scene);
+  extract->SetLevelTarget(1e9);
+  extract->Update();
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find("Block 0 \"\" is a vtkPolyData"), std::string::npos);
+  auto* levels = vtkMultiBlockDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+  ASSERT_EQ(levels->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(levels->GetBlock(0), nullptr);
+  EXPECT_EQ(GetTriangles(vtkPolyData::SafeDownCast(levels->GetBlock(1))), GetTriangles(TwoBoxes()));
+  // A tree of another kind is none of streams either.
+  vtkNew<vtkOverlappingAMR> grids;
+  const int blocksPerLevel[] = { 1 };
+  grids->Initialize(1, blocksPerLevel);
+  extract->SetInputDataObject(0, grids);
+  extract->Update();
+  ASSERT_EQ(messages.Errors.size(), 2u);
+  EXPECT_NE(messages.Errors[1].find("A vtkOverlappingAMR is not the stream"), std::string::npos);
 }
 
 // The same filter takes a single mesh after a composite, and the other way round.

@@ -116,6 +116,8 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   EXPECT_EQ(GetText(level, "Rung").find("TetGen -pcY, snapped"), 0u);
   const double farthest = level->GetFieldData()->GetArray("SnapDistance")->GetTuple1(0);
   EXPECT_GT(farthest, 0.0);
+  EXPECT_NE(GetNotes(carver).find("An attempt failed."), std::string::npos);
+  EXPECT_NE(GetNotes(carver).find("The mesh was snapped"), std::string::npos);
   int moved = 0;
   for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
   {
@@ -141,6 +143,19 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   ExpectEqualData(extract->GetOutput(), level);
 }
 
+// Where snapping is of no help either, a note for each attempt says what was tried, snapping among it.
+TEST(Conformity, NotesEveryAttempt)
+{
+  std::mt19937_64 random(1);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(ToPolyData(models::Doubled(models::Sphere(1), 1e-13, random)));
+  carver->SetSnapTolerance(1e-30); // no double near 1 is so near to another
+  carver->Update();
+  EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"), "Delaunay, enclosing");
+  const std::string notes = GetNotes(carver);
+  EXPECT_NE(notes.find("An attempt failed. Snapping: on a grid of"), std::string::npos) << notes;
+}
+
 // The input follows as given, with its data, where it is enclosed only and that is wished for.
 TEST(Conformity, AppendsTheInputOnRequest)
 {
@@ -158,6 +173,7 @@ TEST(Conformity, AppendsTheInputOnRequest)
   EXPECT_EQ(GetText(level, "Kind"), "input");
   EXPECT_EQ(GetText(GetLevel(carver, last - 1), "Kind"), "carved");
   EXPECT_EQ(GetTriangles(level), GetTriangles(input));
+  EXPECT_NE(GetNotes(carver).find("The mesh is enclosed, not met"), std::string::npos);
   for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
   {
     const double cell = level->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i);
@@ -178,6 +194,7 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
     ASSERT_GT(carver->GetOutput()->GetNumberOfBlocks(), 0u);
     EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"),
       matters ? "TetGen -pcY, without interior" : "TetGen -pcY");
+    EXPECT_EQ(GetNotes(carver).find("Inside the solid") != std::string::npos, matters);
     const OtherHelper broken("/bin/false");
     carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
     Messages messages(carver);
@@ -186,7 +203,7 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
   }
 }
 
-// Neither conformity nor a limit that is not met carves what was tetrahedralized already a second time.
+// Other levels, or the input appended, do not run the helper program again; another conformity does.
 TEST(Conformity, IsCachedLikeTheOtherSettings)
 {
   vtkNew<vtkTopologyCarver> carver;

@@ -129,8 +129,9 @@ TEST(ContourInput, NamesAPointOffThePlane)
     << messages.Errors[0];
 }
 
-// Contours on one line have no hull to carve; a point at infinity is named.
-TEST(ContourInput, RejectsALineAndInfinity)
+// Contours on one line have no hull to carve, edges without length are nothing; a point at infinity is
+// named.
+TEST(ContourInput, RejectsALineAPointAndInfinity)
 {
   vtkNew<vtkContourCarver> carver;
   Messages messages(carver);
@@ -140,6 +141,10 @@ TEST(ContourInput, RejectsALineAndInfinity)
   Carve(carver, Polylines({ { { 0, 0, 0 }, { 1, HUGE_VAL, 0 }, { 3, 3, 0 } } }));
   ASSERT_EQ(messages.Errors.size(), 2u);
   EXPECT_NE(messages.Errors[1].find("Point 1 is (1, inf, 0)"), std::string::npos);
+  Carve(carver, Polylines({ { { 1, 2, 3 }, { 1, 2, 3 } } }));
+  ASSERT_EQ(messages.Errors.size(), 3u);
+  EXPECT_NE(messages.Errors[2].find("No edge of the contours has a length"), std::string::npos)
+    << messages.Errors[2];
 }
 
 // Vertices and strips are passed over with a note, ghost cells without.

@@ -107,6 +107,9 @@ TEST(Faults, ReportsAHelperThatIsNoProgram)
   std::ofstream(std::getenv("TOPOLOGYCARVING_HELPER")) << "\x7f"
                                                           "ELF of nothing";
   ExpectErrorAndRecovery("carving-helper", std::move(foreign));
+  OtherHelper uninterpreted = OtherHelper::Script("");
+  std::ofstream(std::getenv("TOPOLOGYCARVING_HELPER")) << "#!/there/is/no/such/interpreter\n";
+  ExpectErrorAndRecovery("carving-helper could not be run", std::move(uninterpreted));
 }
 
 // A helper that is killed in mid-run is an error that says so.
@@ -270,7 +273,7 @@ TEST(Faults, ReportsThatThereIsNoRoom)
       carver->SetConformity(conformity);
       carver->SetInputData(TwoBoxes());
       {
-        const FileSizeLimit limit(bytes);
+        const ResourceLimit fileSize(RLIMIT_FSIZE, bytes); // as on a full disk
         carver->Update();
       }
       ASSERT_EQ(messages.Errors.size(), 1u);
@@ -283,6 +286,26 @@ TEST(Faults, ReportsThatThereIsNoRoom)
       EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
     }
   }
+}
+
+// Where no file can be opened, that is an error that says so, and no end of the process.
+TEST(Faults, ReportsThatNoFileCanBeOpened)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetInputData(TwoBoxes());
+  const int next = dup(0);
+  close(next);
+  {
+    const ResourceLimit files(RLIMIT_NOFILE, static_cast<rlim_t>(next));
+    carver->Update();
+  }
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find("No file in memory could be opened"), std::string::npos);
+  carver->Modified();
+  carver->Update();
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
 }
 
 // A mesh that TetGen refuses is an error if it has to be exact, which says who gave up and what to do; the
@@ -299,6 +322,7 @@ TEST(Faults, ReportsThatTetGenGaveUp)
   EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
   ASSERT_EQ(messages.Errors.size(), 1u);
   EXPECT_NE(messages.Errors[0].find("TetGen"), std::string::npos) << messages.Errors[0];
+  EXPECT_NE(messages.Errors[0].find("Conformity"), std::string::npos) << messages.Errors[0];
   carver->SetTimeLimit(0.0);
   carver->SetConformity(vtkTopologyCarver::AUTO);
   carver->Update();

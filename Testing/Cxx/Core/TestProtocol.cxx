@@ -47,15 +47,31 @@ TEST(Protocol, RestoresAJob)
 {
   Job job;
   job.Kind = JobKind::CountIntersections;
+  job.Initial = InitialApproximation::Custom;
+  job.Conformity = Conformity::Enclosing;
+  job.EnclosingTolerance = 0.25;
   job.SnapTolerance = 0.5;
+  job.TimeLimit = 2.0;
+  job.MemoryLimit = 3.0;
+  job.Solid = SolidRule::EvenOdd;
   job.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
+  job.InitialMesh = { { { 7, 8, 9 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
+  job.Contours = { { { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 } } };
+  job.InitialContours = { { { 3, 1, 0 }, { 4, 1, 0 } }, { { 1, 0 } } };
   const std::string bytes = Written(job);
   Job restored;
   ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
   EXPECT_EQ(restored.Kind, job.Kind);
-  EXPECT_EQ(restored.SnapTolerance, job.SnapTolerance);
+  EXPECT_TRUE(static_cast<HelperOptions&>(restored) == job);
+  EXPECT_EQ(restored.Solid, job.Solid);
   EXPECT_EQ(restored.Mesh.Points, job.Mesh.Points);
   EXPECT_EQ(restored.Mesh.Triangles, job.Mesh.Triangles);
+  EXPECT_EQ(restored.InitialMesh.Points, job.InitialMesh.Points);
+  EXPECT_EQ(restored.InitialMesh.Triangles, job.InitialMesh.Triangles);
+  EXPECT_EQ(restored.Contours.Points, job.Contours.Points);
+  EXPECT_EQ(restored.Contours.Edges, job.Contours.Edges);
+  EXPECT_EQ(restored.InitialContours.Points, job.InitialContours.Points);
+  EXPECT_EQ(restored.InitialContours.Edges, job.InitialContours.Edges);
 }
 
 // A reply is read as it was written.

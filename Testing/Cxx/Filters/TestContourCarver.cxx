@@ -6,11 +6,18 @@
 #include "vtkDoubleArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
+#include "vtkLine.h"
+#include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
+#include "vtkTriangle.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -33,6 +40,17 @@ void AskForAllSteps(vtkContourCarver* carver, vtkPolyData* input)
 vtkSmartPointer<vtkPolyData> Medley()
 {
   return Polygons({ Star(), Reversed(Rectangle(-0.2, -0.2, 0.2, 0.2)), Rectangle(3, 1, 4, 2) });
+}
+
+double DistanceToEdges(vtkPolyData* contours, const double p[3])
+{
+  double nearest = HUGE_VAL; // squared
+  for (const auto& [a, b] : Edges(contours))
+  {
+    double t, closest[3];
+    nearest = std::min(nearest, vtkLine::DistanceToLine(p, a.data(), b.data(), t, closest));
+  }
+  return std::sqrt(nearest);
 }
 
 } // namespace
@@ -224,20 +242,66 @@ TEST(ContourCarver, StreamsToTheExtractor)
   }
 }
 
-// All properties of a carver have their effect in the plane too.
-TEST(ContourCarver, TakesMeasuresDepthAndBreadth)
+// Priorities are what each measure says of a triangle, over a power of its centroid's distance from the
+// first level.
+TEST(ContourCarver, TakesMeasuresAndDepth)
 {
-  for (const int measure : { 0, 1, 2, 3 })
+  for (const int measure : { vtkContourCarver::LONGEST_EDGE, vtkContourCarver::VOLUME,
+         vtkContourCarver::CIRCUMRADIUS, vtkContourCarver::EDGE_VOLUME })
   {
     vtkNew<vtkContourCarver> carver;
-    Messages messages(carver);
     carver->SetPriorityMeasure(measure);
     carver->SetDepthExponent(2.0);
     carver->SetDepthMeasure(vtkContourCarver::DISTANCE);
-    carver->SetBreadthRadius(0.5);
     auto input = Medley();
     Carve(carver, input);
-    EXPECT_TRUE(messages.Errors.empty());
+    auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+    int carved = 0;
+    for (vtkIdType cell = 0; cell < stream->GetNumberOfCells(); ++cell)
+    {
+      vtkCellData* data = stream->GetCellData();
+      if (stream->GetCellType(cell) != VTK_TRIANGLE || data->GetArray("Step")->GetTuple1(cell) < 1)
+      {
+        continue;
+      }
+      ++carved;
+      auto* triangle = vtkTriangle::SafeDownCast(stream->GetCell(cell));
+      double p[3][3], center[2];
+      for (int i = 0; i < 3; ++i)
+      {
+        triangle->GetPoints()->GetPoint(i, p[i]);
+      }
+      const double longest = std::sqrt(std::max(
+        { vtkMath::Distance2BetweenPoints(p[0], p[1]), vtkMath::Distance2BetweenPoints(p[1], p[2]),
+          vtkMath::Distance2BetweenPoints(p[2], p[0]) }));
+      const double area = triangle->ComputeArea();
+      // At most the diagonal of all.
+      const double radius = std::min(
+        std::sqrt(vtkTriangle::Circumcircle(p[0], p[1], p[2], center)), input->GetLength());
+      const double measures[] = { longest, area, radius, std::sqrt(longest * std::sqrt(area)) };
+      double centroid[3];
+      vtkTriangle::TriangleCenter(p[0], p[1], p[2], centroid);
+      const double depth = DistanceToEdges(GetLevel(carver, 0), centroid);
+      EXPECT_NEAR(data->GetArray("Depth")->GetTuple1(cell), depth, 1e-12);
+      const double expected = measures[measure] / (depth * depth);
+      EXPECT_NEAR(data->GetArray("Priority")->GetTuple1(cell), expected, 1e-9 * expected);
+    }
+    EXPECT_GT(carved, 20);
+  }
+}
+
+// With breadth a stream has fewer steps, and ends at the input all the same.
+TEST(ContourCarver, TakesFewerStepsWithBreadth)
+{
+  vtkNew<vtkContourCarver> carver;
+  auto input = Medley();
+  int steps = 0;
+  for (const double radius : { 1.0, 0.3, 0.0 })
+  {
+    carver->SetBreadthRadius(radius);
+    Carve(carver, input);
+    EXPECT_GT(FieldValue(LastLevel(carver), "Step"), steps);
+    steps = FieldValue(LastLevel(carver), "Step");
     EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   }
 }

@@ -94,8 +94,9 @@ TEST(Ladder, SplitsTrianglesWhereItHasTo)
   const HelperRun run = RunWith(Refused(), Conformity::Exact);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   EXPECT_EQ(run.Reply.Rung.find("TetGen -pcM"), 0u) << run.Reply.Rung;
-  EXPECT_NE(run.Reply.Attempts.find("TetGen -pcY, order 5"), std::string::npos);
   EXPECT_EQ(run.Reply.Limits, ""); // no higher one would have been of use
+  // The last of the six orders that the documentation of Conformity promises, counted from 0.
+  EXPECT_NE(run.Reply.Attempts.find("order 5"), std::string::npos);
   const Tetrahedralization& result = run.Reply.Result;
   EXPECT_TRUE(result.Kept.empty());
   std::vector<int> uses(result.Surface.Facets.size(), 0);

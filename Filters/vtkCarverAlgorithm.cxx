@@ -302,6 +302,7 @@ void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   constexpr const char* depths[] = { "HIERARCHY", "DISTANCE" };
   constexpr const char* rules[] = { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" };
   constexpr const char* conformities[] = { "EXACT", "ENCLOSING", "AUTO" };
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "InitialApproximation: " << initials[this->InitialApproximation] << "\n";
   os << indent << "PriorityMeasure: " << measures[this->PriorityMeasure] << "\n";
   os << indent << "DepthExponent: " << this->DepthExponent << "\n";

@@ -307,7 +307,8 @@ public:
    * and the triangles of every vertex form one fan. Where sheets meet in an edge or a vertex, each gets
    * a copy of its points; what bounds a solid stays closed. Parts that touch along several edges in a row
    * stay joined, those that touch in one edge alone, or in a vertex, are cut apart: so cutting opens no
-   * tunnel. One side of folds is joined with folds only. Default on; off leaves one point per vertex.
+   * tunnel. One side of folds is joined with folds only, so that a tunnel of a solid that sheets close is
+   * open on its surface. Default on; off leaves one point per vertex.
    * `Vertices` does not count the copies.
    */
   vtkSetMacro(ManifoldOutput, bool);

@@ -16,11 +16,14 @@ CARVE = os.environ["CARVE"]
 # What the table quotes, but no test here can provoke, and why.
 NOT_PROVOKED = {
     "The input has more points or cells than a 32-bit integer can count": "a mesh of 100 GB would be needed",
+    "Error parsing XML in stream at line N": "ParaView's own",
+    "not well-formed": "ParaView's own",
+    "junk after document element": "ParaView's own",
     "The carving was stopped": "by ParaView's button: the plugin's tests press it",
     "N object(s) were spread over several processes": "under MPI: the plugin's tests run several processes",
 }
-# Parts of messages that depend on how TetGen fares with a mesh.
-ENDS_OF_ATTEMPTS = ("TetGen ", "crashed")
+# Parts of messages that depend on how TetGen fares with a mesh, or the system with a process.
+ENDS_OF_ATTEMPTS = ("TetGen ", "crashed", "of processor time", "was killed", "could not be started")
 
 # Literals that begin like a sentence, but are names in field data.
 NAMES = {"TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcM", "TetGen -pcY, snapped", "TetGen -pcY, without interior", "Delaunay, enclosing", "CGAL constrained Delaunay", "LOD "}
@@ -100,7 +103,7 @@ class TestProvokedMessages(unittest.TestCase):
             with self.subTest(quote=quote):
                 if quote in NOT_PROVOKED:
                     self.assertFalse(said, "it can be provoked")
-                elif not (quote in parts and quote.startswith(ENDS_OF_ATTEMPTS)):
+                elif not (quote.startswith(ENDS_OF_ATTEMPTS)):
                     self.assertTrue(said)
         self.assertLessEqual(set(NOT_PROVOKED), set(beginnings))
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Testing/run.sh
 #
-# Installs what is needed, builds and passes all tests: formatting, the whole project with warnings as
-# errors, the plugin in ParaView, and core and helper program once more under the address and
-# undefined-behavior sanitizers, and some seconds with what fuzzers make up.
+# Installs what is needed, in Debian's newest version, builds and passes all tests: formatting, the whole
+# project with warnings as errors, the plugin in ParaView, and core and helper program once more under the
+# address and undefined-behavior sanitizers, and some seconds with what fuzzers make up.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -15,7 +15,7 @@ test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
 # ParaView's icons are drawn by libqt5svg5, and its files parsed by libexpat1.
 paraview_packages=(
   libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev libqt5svg5 mpi-default-bin
-  paraview paraview-dev python3-numpy python3-xlib qtbase5-dev)
+  paraview paraview-dev python3-xlib qtbase5-dev)
 
 say() {
   printf '\n== %s\n' "$*"

@@ -37,7 +37,7 @@ outdated() {
 install_packages() {
   local log=$build_root/apt.log
   if [ "$(id -u)" -ne 0 ]; then
-    printf 'Packages are missing or outdated. Install them and run this again:\n\n' >&2
+    printf 'Packages are missing or outdated. Install them first:\n\n' >&2
     printf '  sudo apt-get install -y --no-install-recommends %s\n\n' "$*" >&2
     return 1
   fi
@@ -58,8 +58,8 @@ require_packages() {
     return
   fi
   say "Looking for packages to install or upgrade"
-  if [ "$(id -u)" -eq 0 ] && ! apt-get update -qq --error-on=any; then
-    printf 'Not all packages that are new are known.\n' >&2
+  if [ "$(id -u)" -eq 0 ] && ! apt-get update -qq --error-on=any -o Acquire::Retries=0; then
+    printf 'What is installed may be outdated.\n' >&2
     today=/dev/null
   fi
   if [ ${#missing[@]} -gt 0 ] && ! install_packages "${missing[@]}"; then

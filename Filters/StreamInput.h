@@ -13,7 +13,7 @@
 
 class vtkUnstructuredGrid;
 
-/** 3 or 2 for a stream of tetrahedra or of triangles, 0 for a grid that is none. */
+/** 2 for a stream of triangles, 3 for one of tetrahedra and for any other grid. */
 int GetStreamDimension(vtkUnstructuredGrid* grid);
 
 /** Reads the profile from a stream's field data. Returns an empty string or what is wrong with it. */

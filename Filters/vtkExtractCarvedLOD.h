@@ -13,7 +13,8 @@
  * same tree, which GetOutputDataObject(0) returns.
  *
  * **Errors** are reported through vtkErrorMacro, and the output is then empty: an input that is not a
- * stream or not a whole one.
+ * stream or not a whole one. The input may come from any file: the first request checks all of it, and the
+ * error names the array, cell or point that is not as it must be.
  */
 #ifndef vtkExtractCarvedLOD_h
 #define vtkExtractCarvedLOD_h

@@ -29,13 +29,8 @@ namespace
 /** Steps spread like the carver's levels, from the profile that the stream carries. */
 std::vector<double> SpreadSteps(vtkUnstructuredGrid* stream, int count)
 {
-  vtkDataArray* vertices = stream->GetFieldData()->GetArray(StreamArrays::ProfileVertices);
   carving::Profile profile;
-  for (vtkIdType i = 0; vertices && i < vertices->GetNumberOfTuples(); ++i)
-  {
-    profile.Vertices.push_back(static_cast<int>(vertices->GetTuple1(i)));
-  }
-  if (profile.Vertices.empty())
+  if (!ReadProfile(stream, profile).empty())
   {
     return { 0.0 }; // the filter says what is wrong
   }
@@ -64,6 +59,11 @@ std::string StreamFile::Read(
   if (!log->Errors.empty())
   {
     return log->Errors.front();
+  }
+  if (reader->GetOutput()->GetNumberOfCells() ==
+    0) // the reader does not report all that it gives up for
+  {
+    return "there are no cells in it";
   }
   stream->ShallowCopy(reader->GetOutput());
   return {};

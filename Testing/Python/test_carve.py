@@ -14,14 +14,16 @@ import time
 import unittest
 
 from meshes import two_cubes
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridReader,
+    vtkXMLUnstructuredGridWriter)
 
 CARVE = os.environ["CARVE"]
 PATIENCE = float(os.environ["PATIENCE"])  # seconds
@@ -372,6 +374,23 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve("out.vtu", "--depth-exponent", "2"), 2, "--depth-exponent", "already")
         self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
         self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
+
+    def test_names_what_is_wrong_with_a_damaged_stream(self):
+        """A stream with an array that is not as it must be, or one that cannot be read, gives one line that says so."""
+        self.table(BONES, "--stream", "out.vtu")
+        stream = read(vtkXMLUnstructuredGridReader, self.path("out.vtu"))
+        pairs = vtkIntArray()
+        pairs.SetName("ProfileVertices")
+        pairs.SetNumberOfComponents(2)
+        pairs.InsertNextTuple2(1, 2)
+        stream.GetFieldData().AddArray(pairs)
+        self.write(vtkXMLUnstructuredGridWriter, "damaged.vtu", stream)
+        self.expect_failure(self.run_carve("damaged.vtu"), 1, "ProfileVertices", "2 components")
+        with open(self.path("out.vtu"), "rb") as file:
+            content = file.read()
+        with open(self.path("cut.vtu"), "wb") as file:  # VTK's reader ends without a word
+            file.write(content.replace(b'"ProfileVertices" NumberOfTuples="', b'"ProfileVertices" NumberOfTuples="1'))
+        self.expect_failure(self.run_carve("cut.vtu"), 1, "cut.vtu", "no cells")
 
     def test_writes_names_that_can_be_read(self):
         """Material names of an OBJ in another encoding do not make the levels unreadable."""

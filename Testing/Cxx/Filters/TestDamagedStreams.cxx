@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Streams with arrays as damaged or foreign files may have them: each is refused in one error that names the
+ * array and what is wrong with it.
+ */
+#include "StreamTesting.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <tuple>
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+enum class Place
+{
+  Points,
+  Cells,
+  Field
+};
+
+vtkFieldData* GetData(vtkUnstructuredGrid* stream, Place place)
+{
+  return place == Place::Points ? static_cast<vtkFieldData*>(stream->GetPointData())
+    : place == Place::Cells     ? static_cast<vtkFieldData*>(stream->GetCellData())
+                                : stream->GetFieldData();
+}
+
+struct Name
+{
+  Place In;
+  const char* Text;
+};
+
+/** All arrays that the levels, or their choice, depend on. */
+const Name AllNames[] = { { Place::Points, "vtkOriginalPointIds" },
+  { Place::Points, "SnapDistance" }, { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
+  { Place::Cells, "Step" }, { Place::Cells, "Region" }, { Place::Cells, "SolidSides" },
+  { Place::Cells, "vtkOriginalCellIds" }, { Place::Field, "PriorityMeasure" },
+  { Place::Field, "KeepBothFoldSides" }, { Place::Field, "Rung" }, { Place::Field, "KeptDistance" },
+  { Place::Field, "SnapDistance" }, { Place::Field, "ProfileVertices" },
+  { Place::Field, "ProfileTriangles" }, { Place::Field, "ProfileComponents" },
+  { Place::Field, "ProfileGenus" }, { Place::Field, "ProfileVoids" },
+  { Place::Field, "ProfileVolume" }, { Place::Field, "ProfilePriority" },
+  { Place::Field, "ProfileError" } };
+
+/** A copy of the stream without an array, and a copy of that array. */
+struct Taken
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Stream;
+  vtkSmartPointer<vtkAbstractArray> Array;
+
+  Taken(vtkUnstructuredGrid* stream, const Name& name)
+    : Stream(vtkSmartPointer<vtkUnstructuredGrid>::New())
+  {
+    this->Stream->DeepCopy(stream);
+    vtkAbstractArray* array = GetData(this->Stream, name.In)->GetAbstractArray(name.Text);
+    EXPECT_TRUE(array) << name.Text;
+    this->Array.TakeReference(array->NewInstance());
+    this->Array->DeepCopy(array);
+    GetData(this->Stream, name.In)->RemoveArray(name.Text);
+  }
+
+  void Add(const Name& name, vtkAbstractArray* array)
+  {
+    array->SetName(name.Text);
+    GetData(this->Stream, name.In)->AddArray(array);
+  }
+};
+
+std::string Quoted(const Name& name)
+{
+  return "the array \"" + std::string(name.Text) + "\" ";
+}
+
+/** The error after a value of an array has been replaced. */
+void ExpectValueRefused(vtkUnstructuredGrid* whole, const Name& name, vtkIdType at, double value)
+{
+  Taken taken(whole, name);
+  vtkNew<vtkDoubleArray> changed; // the other types have no place for some values
+  changed->DeepCopy(taken.Array);
+  changed->SetValue(at, value);
+  taken.Add(name, changed);
+  ExpectError(taken.Stream, Quoted(name) + "has the value ");
+}
+
+} // namespace
+
+// Unchanged, the streams of these tests are accepted.
+TEST(DamagedStreams, AreRefusedForTheDamageOnly)
+{
+  EXPECT_EQ(ErrorOf(MakeStream()), "");
+  EXPECT_EQ(ErrorOf(MakeStream(true)), "");
+}
+
+// An array that is shorter or longer than it must be is named, in space and in the plane.
+TEST(DamagedStreams, AreRefusedForArraysOfAnotherLength)
+{
+  for (const bool plane : { false, true })
+  {
+    const auto whole = MakeStream(plane);
+    for (const Name& name : AllNames)
+    {
+      for (const int more : { -1, 1 })
+      {
+        Taken taken(whole, name);
+        const vtkIdType length = taken.Array->GetNumberOfTuples();
+        taken.Array->Resize(length + 1);
+        taken.Array->SetNumberOfTuples(length + more);
+        if (auto* numbers = vtkDataArray::SafeDownCast(taken.Array); numbers && more > 0)
+        {
+          numbers->SetTuple1(length, numbers->GetTuple1(length - 1));
+        }
+        taken.Add(name, taken.Array);
+        // All other arrays of the profile are held against the priorities.
+        const bool measure = std::string(name.Text) == "ProfilePriority";
+        ExpectError(taken.Stream, measure ? "the array \"Profile" : Quoted(name) + "has ");
+      }
+    }
+  }
+}
+
+// Data of the input that a filter in between has made shorter is named too: levels would have it.
+TEST(DamagedStreams, AreRefusedForDataOfAnotherLength)
+{
+  for (const Place place : { Place::Points, Place::Cells })
+  {
+    const auto stream = MakeStream();
+    vtkNew<vtkStringArray> labels;
+    labels->SetName("Labels");
+    labels->InsertNextValue("one");
+    GetData(stream, place)->AddArray(labels);
+    ExpectError(stream, "the array \"Labels\" has 1 tuples instead of ");
+  }
+}
+
+// An array that is missing is named; only what not every stream has may be.
+TEST(DamagedStreams, AreRefusedForArraysThatAreMissing)
+{
+  const auto whole = MakeStream();
+  for (const Name& name : AllNames)
+  {
+    const std::string text = name.Text;
+    const Taken taken(whole, name);
+    if (text == "KeptDistance" || text == "SnapDistance" || text == "ProfileError" ||
+      text == "Rung")
+    {
+      EXPECT_EQ(ErrorOf(taken.Stream), "") << text;
+    }
+    else
+    {
+      ExpectError(taken.Stream, Quoted(name) + "is missing");
+    }
+  }
+}
+
+// Text in the place of numbers, and numbers in that of text, are named.
+TEST(DamagedStreams, AreRefusedForArraysOfAnotherType)
+{
+  const auto whole = MakeStream();
+  for (const Name& name : AllNames)
+  {
+    Taken taken(whole, name);
+    vtkNew<vtkStringArray> text;
+    vtkNew<vtkIntArray> number;
+    text->SetNumberOfValues(taken.Array->GetNumberOfTuples());
+    number->SetNumberOfValues(1);
+    const bool isText = vtkStringArray::SafeDownCast(taken.Array) != nullptr;
+    taken.Add(name, isText ? static_cast<vtkAbstractArray*>(number) : text);
+    ExpectError(taken.Stream, Quoted(name) + (isText ? "has no text" : "has no numbers"));
+  }
+}
+
+// An array of several components is named.
+TEST(DamagedStreams, AreRefusedForArraysOfSeveralComponents)
+{
+  const auto whole = MakeStream();
+  for (const Name& name : AllNames)
+  {
+    Taken taken(whole, name);
+    if (vtkStringArray::SafeDownCast(taken.Array))
+    {
+      continue;
+    }
+    vtkNew<vtkDoubleArray> pairs;
+    pairs->SetNumberOfComponents(2);
+    pairs->SetNumberOfTuples(taken.Array->GetNumberOfTuples());
+    pairs->Fill(0.0);
+    taken.Add(name, pairs);
+    ExpectError(taken.Stream, Quoted(name) + "has 2 components instead of 1");
+  }
+}
+
+// What no integer holds is refused in every array of integers.
+TEST(DamagedStreams, AreRefusedForValuesThatAreNoIntegers)
+{
+  const auto whole = MakeStream();
+  const vtkIdType facet = whole->GetNumberOfCells() - 1;
+  const std::pair<Name, vtkIdType> places[] = { { { Place::Points, "vtkOriginalPointIds" }, 0 },
+    { { Place::Cells, "Step" }, 0 }, { { Place::Cells, "Region" }, 0 },
+    { { Place::Cells, "SolidSides" }, facet }, { { Place::Cells, "vtkOriginalCellIds" }, facet },
+    { { Place::Field, "PriorityMeasure" }, 0 }, { { Place::Field, "KeepBothFoldSides" }, 0 },
+    { { Place::Field, "ProfileVertices" }, 1 }, { { Place::Field, "ProfileTriangles" }, 1 },
+    { { Place::Field, "ProfileComponents" }, 1 }, { { Place::Field, "ProfileGenus" }, 1 },
+    { { Place::Field, "ProfileVoids" }, 1 } };
+  for (const auto& [name, at] : places)
+  {
+    for (const double value : { NaN, Infinity, -Infinity, 0.5, 1e300, -1e300, 4294967296.0 })
+    {
+      ExpectValueRefused(whole, name, at, value);
+    }
+  }
+}
+
+// Integers that stand for nothing are refused: steps that there are not, unknown settings, less than none.
+TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
+{
+  const auto whole = MakeStream();
+  const vtkIdType facet = whole->GetNumberOfCells() - 1;
+  const double steps = whole->GetFieldData()->GetArray("ProfileVertices")->GetNumberOfTuples();
+  const std::tuple<Name, vtkIdType, double> values[] = { { { Place::Cells, "Step" }, 0, 0.0 },
+    { { Place::Cells, "Step" }, 0, -2.0 }, { { Place::Cells, "Step" }, 0, steps },
+    { { Place::Cells, "Region" }, 0, -2.0 }, { { Place::Cells, "SolidSides" }, facet, 4.0 },
+    { { Place::Cells, "SolidSides" }, facet, -1.0 },
+    { { Place::Cells, "vtkOriginalCellIds" }, 0, -2.0 },
+    { { Place::Points, "vtkOriginalPointIds" }, 0, -2.0 },
+    { { Place::Field, "PriorityMeasure" }, 0, 4.0 },
+    { { Place::Field, "PriorityMeasure" }, 0, -1.0 },
+    { { Place::Field, "KeepBothFoldSides" }, 0, 2.0 },
+    { { Place::Field, "ProfileVertices" }, 0, -1.0 },
+    { { Place::Field, "ProfileTriangles" }, 0, -1.0 },
+    { { Place::Field, "ProfileComponents" }, 0, 0.0 },
+    { { Place::Field, "ProfileGenus" }, 0, -1.0 }, { { Place::Field, "ProfileVoids" }, 0, -1.0 } };
+  for (const auto& [name, at, value] : values)
+  {
+    ExpectValueRefused(whole, name, at, value);
+  }
+}
+
+// Measures that cannot be are refused: not a number where there must be one, negative or infinite ones,
+// a volume that grows.
+TEST(DamagedStreams, AreRefusedForMeasuresThatCannotBe)
+{
+  const auto whole = MakeStream();
+  const Name measures[] = { { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
+    { Place::Points, "SnapDistance" }, { Place::Field, "KeptDistance" },
+    { Place::Field, "SnapDistance" }, { Place::Field, "ProfileVolume" },
+    { Place::Field, "ProfilePriority" }, { Place::Field, "ProfileError" } };
+  for (const Name& name : measures)
+  {
+    const vtkIdType last = GetData(whole, name.In)->GetArray(name.Text)->GetNumberOfTuples() - 1;
+    const vtkIdType at = name.In == Place::Cells ? 0 : last;
+    ExpectValueRefused(whole, name, at, NaN);
+    ExpectValueRefused(whole, name, at, -1.0);
+  }
+  ExpectValueRefused(whole, { Place::Cells, "Depth" }, 0, Infinity);
+  ExpectValueRefused(whole, { Place::Field, "ProfileError" }, 0, Infinity);
+  ExpectValueRefused(whole, { Place::Field, "ProfilePriority" }, 0, 1.0);
+  ExpectValueRefused(whole, { Place::Field, "ProfileVolume" }, 0, Infinity);
+  ExpectValueRefused(whole, { Place::Field, "ProfileVolume" }, 1, 1e30);
+}
+
+// Counts that are not those of the cells are refused.
+TEST(DamagedStreams, AreRefusedForAProfileOfOtherCells)
+{
+  for (const bool plane : { false, true })
+  {
+    const auto whole = MakeStream(plane);
+    for (const char* text : { "ProfileVertices", "ProfileTriangles" })
+    {
+      const Name name = { Place::Field, text };
+      Taken taken(whole, name);
+      auto* counts = vtkIntArray::SafeDownCast(taken.Array);
+      counts->SetValue(1, counts->GetValue(1) + 1);
+      taken.Add(name, counts);
+      ExpectError(taken.Stream, Quoted(name) + "contradicts the cells");
+    }
+  }
+}

@@ -163,23 +163,26 @@ private:
 
   void PairAcross(const std::vector<int>& sides, bool exterior)
   {
-    std::vector<int> atOutside;
+    std::vector<SideAt> besides; // a half-face beside a face, a side of that
     for (const int side : sides)
     {
-      const FaceLife<D>& face = FaceAt<D>(this->Shown, side);
-      const int end =
-        this->Turn(this->Beside(face, exterior), RidgeAt<D>(this->Shown, side), exterior);
+      besides.emplace_back(this->Beside(FaceAt<D>(this->Shown, side), exterior), side);
+    }
+    std::vector<SideAt> sorted = besides;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> atOutside;
+    for (const auto& [beside, side] : besides)
+    {
+      const int end = this->Turn(beside, RidgeAt<D>(this->Shown, side), exterior);
       if (end == Outside)
       {
         atOutside.push_back(side);
         continue;
       }
-      for (const int other : sides)
+      for (auto other = std::lower_bound(sorted.begin(), sorted.end(), SideAt(end, 0));
+           other != sorted.end() && other->first == end; ++other)
       {
-        if (this->Beside(FaceAt<D>(this->Shown, other), exterior) == end)
-        {
-          this->JoinIfOpposite(side, other);
-        }
+        this->JoinIfOpposite(side, other->second);
       }
     }
     if (atOutside.size() == 2) // C0 is a manifold: two turns end there

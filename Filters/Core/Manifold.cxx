@@ -5,6 +5,7 @@
 #include "FacePairs.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace carving
@@ -20,29 +21,29 @@ public:
   Cutter(const StoredStream<D>& stream, const Level<D>& level)
     : Shown(level)
     , Pairs(PairFaces(stream, level))
-    , Fans(this->JoinCorners())
   {
   }
 
   ManifoldLevel<D> Cut()
   {
+    this->FindFans();
     // Separating only ever splits fans, so that what is separate stays so.
     for (const std::vector<int>& group : this->Pairs.Crowded)
     {
-      while (this->SeparateCollision(group))
+      while (this->SeparateCollisions(group))
       {
-        this->FansAreWhole = false;
       }
     }
     return this->Number();
   }
 
 private:
-  /** Corner sets by the pairs there are. */
-  DisjointSets JoinCorners() const
+  /** The fans that the pairs make of corners. */
+  void FindFans()
   {
-    DisjointSets sets(this->Pairs.Partner.size());
-    for (int side = 0; side < static_cast<int>(this->Pairs.Partner.size()); ++side)
+    const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
+    DisjointSets sets(numberOfCorners);
+    for (int side = 0; side < numberOfCorners; ++side)
     {
       const int partner = this->Pairs.Partner[side];
       if (partner <= side)
@@ -56,7 +57,12 @@ private:
         sets.Unite(corner, this->CornerAt(partner, vertex));
       }
     }
-    return sets;
+    this->FanOfCorner.resize(numberOfCorners);
+    for (int corner = 0; corner < numberOfCorners; ++corner)
+    {
+      this->FanOfCorner[corner] = sets.Find(corner);
+    }
+    this->NumberOfFans = numberOfCorners;
   }
 
   int CornerAt(int side, int vertex) const
@@ -66,45 +72,49 @@ private:
     return side / D * D + static_cast<int>(found - corners.begin());
   }
 
-  /** Changes pairs if two pairs, or loose faces, of a ridge have the same vertices. */
-  bool SeparateCollision(const std::vector<int>& group)
+  /** The fans that have the ends of a side's ridge. */
+  std::array<int, D - 1> FansAt(int side) const
   {
-    for (std::size_t i = 0; i < group.size(); ++i)
+    const std::array<int, D - 1> ridge = RidgeAt<D>(this->Shown, side);
+    std::array<int, D - 1> fans;
+    std::transform(ridge.begin(), ridge.end(), fans.begin(),
+      [&](int vertex) { return this->FanOfCorner[this->CornerAt(side, vertex)]; });
+    return fans;
+  }
+
+  /**
+   * Changes pairs where two pairs, or loose faces, of a ridge have the same vertices. Returns whether there
+   * have been any: those that come after a changed pair may still have.
+   */
+  bool SeparateCollisions(const std::vector<int>& group)
+  {
+    bool any = false;
+    std::map<std::array<int, D - 1>, int> sideAt;
+    for (const int side : group)
     {
-      for (std::size_t j = 0; j < i; ++j)
+      const std::array<int, D - 1> fans = this->FansAt(side);
+      int& other = sideAt.emplace(fans, side).first->second;
+      if (this->FansAt(other) != fans) // it has been separated from yet another since
       {
-        if (this->Pairs.Partner[group[i]] != group[j] && this->HaveSameVertices(group[i], group[j]))
-        {
-          this->Separate(group[i], group[j]);
-          return true;
-        }
+        other = side;
+      }
+      if (other != side && this->Pairs.Partner[side] != other)
+      {
+        this->Separate(side, other);
+        any = true;
       }
     }
-    return false;
+    return any;
   }
 
-  bool HaveSameVertices(int a, int b)
+  /** Makes the corners that joined sides lead to, around the vertex of one, a fan of their own. */
+  void RenewFan(int start)
   {
-    const std::array<int, D - 1> ridge = RidgeAt<D>(this->Shown, a);
-    // A fan can be long: it is walked only where there is one that may still be whole.
-    return std::all_of(ridge.begin(), ridge.end(),
-             [&](int vertex)
-             {
-               return this->Fans.Find(this->CornerAt(a, vertex)) ==
-                 this->Fans.Find(this->CornerAt(b, vertex));
-             }) &&
-      std::all_of(
-        ridge.begin(), ridge.end(), [&](int vertex) { return this->AreInOneFan(a, b, vertex); });
-  }
-
-  /** Walks around the vertex, over joined sides, from the face of one side toward that of another. */
-  bool AreInOneFan(int a, int b, int vertex) const
-  {
-    const int start = this->CornerAt(a, vertex);
-    const int target = this->CornerAt(b, vertex);
+    const int vertex = FaceAt<D>(this->Shown, start).Corners[start % D];
+    const int fan = this->NumberOfFans++;
+    this->FanOfCorner[start] = fan;
     for (int k = 1; k < D; ++k)
     {
-      int corner = start;
       int side = start / D * D + (start % D + k) % D;
       for (;;)
       {
@@ -113,11 +123,12 @@ private:
         {
           break; // a boundary: try the other way round
         }
-        corner = this->CornerAt(side, vertex);
-        if (corner == target || corner == start)
+        const int corner = this->CornerAt(side, vertex);
+        if (this->FanOfCorner[corner] == fan)
         {
-          return corner == target;
+          return;
         }
+        this->FanOfCorner[corner] = fan;
         if (D == 2)
         {
           break;
@@ -125,7 +136,15 @@ private:
         side = corner / D * D + (D - corner % D - side % D); // the third of 0, 1, 2
       }
     }
-    return false;
+  }
+
+  /** Renews the fans that have the ends of a side's ridge. */
+  void RenewFansAt(int side)
+  {
+    for (const int vertex : RidgeAt<D>(this->Shown, side))
+    {
+      this->RenewFan(this->CornerAt(side, vertex));
+    }
   }
 
   void Separate(int a, int b)
@@ -137,6 +156,7 @@ private:
       const bool opposite = IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b);
       this->Pairs.Join(a, opposite ? b : partnerOfB);
       this->Pairs.Join(partnerOfA, opposite ? partnerOfB : b);
+      this->RenewFansAt(a);
       return;
     }
     this->Isolate(partnerOfA < 0 ? a : b);
@@ -150,22 +170,29 @@ private:
       int& partner = this->Pairs.Partner[side / D * D + k];
       if (partner >= 0)
       {
-        this->Pairs.Partner[partner] = -1;
-        partner = -1;
+        const int other = std::exchange(partner, -1);
+        this->Pairs.Partner[other] = -1;
+        this->RenewFansAt(other);
       }
+    }
+    for (int k = 0; k < D; ++k)
+    {
+      this->RenewFan(side / D * D + k);
     }
   }
 
   ManifoldLevel<D> Number()
   {
-    DisjointSets sets = this->FansAreWhole ? std::move(this->Fans) : this->JoinCorners();
     const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
     std::vector<int> firsts; // one corner for each vertex
+    std::vector<char> isNumbered(this->NumberOfFans, 0);
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
-      if (sets.Find(corner) == corner)
+      char& known = isNumbered[this->FanOfCorner[corner]];
+      if (!known)
       {
         firsts.push_back(corner);
+        known = 1;
       }
     }
     const auto pointOf = [&](int corner)
@@ -173,24 +200,24 @@ private:
     std::stable_sort(
       firsts.begin(), firsts.end(), [&](int a, int b) { return pointOf(a) < pointOf(b); });
     ManifoldLevel<D> result;
-    std::vector<int> vertexOfFirst(numberOfCorners, -1);
+    std::vector<int> vertexOfFan(this->NumberOfFans, -1);
     for (const int first : firsts)
     {
-      vertexOfFirst[first] = static_cast<int>(result.Points.size());
+      vertexOfFan[this->FanOfCorner[first]] = static_cast<int>(result.Points.size());
       result.Points.push_back(pointOf(first));
     }
     result.Faces.resize(this->Shown.Faces.size());
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
-      result.Faces[corner / D][corner % D] = vertexOfFirst[sets.Find(corner)];
+      result.Faces[corner / D][corner % D] = vertexOfFan[this->FanOfCorner[corner]];
     }
     return result;
   }
 
   const Level<D>& Shown;
   FacePairs Pairs;
-  DisjointSets Fans; ///< corners that had the same vertex before anything was separated
-  bool FansAreWhole = true;
+  std::vector<int> FanOfCorner; ///< corners of one fan have the same vertex
+  int NumberOfFans = 0;         ///< that have been counted, some of which may be no more
 };
 
 } // namespace

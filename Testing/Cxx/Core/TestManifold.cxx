@@ -125,6 +125,28 @@ TEST(Manifold, CutsAtASingleEdge)
   EXPECT_EQ(vertices[true].size(), 4u);
 }
 
+// Ten thousand solids around an edge, all that they have in common, are cut apart without trying all pairs of
+// them, which would take hours.
+TEST(Manifold, CutsManyWedgesAroundAnEdgeApart)
+{
+  constexpr int count = 10000;
+  StoredStream<3> stream;
+  stream.Mesh.Surface.Points = { { 0, 0, 0 }, { 0, 0, 1 } };
+  stream.Order.StepPriority = { 2.0, 1.0 };
+  for (int i = 0; i < 2 * count; ++i) // every other one is carved
+  {
+    const double angle = 3.141592653589793 * i / count;
+    stream.Mesh.Surface.Points.push_back({ std::cos(angle), std::sin(angle), 0.5 });
+    stream.Mesh.Cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % (2 * count) });
+    stream.Order.Step.push_back(i % 2 == 0 ? Stream::Never : 1);
+  }
+  ASSERT_TRUE(Connect(stream, {}));
+  const ManifoldLevel<3> cut = CutIntoManifold(stream, ExtractLevel(stream, 1));
+  EXPECT_EQ(cut.Points.size(), 4u * count);
+  EXPECT_EQ(cut.Faces.size(), 4u * count);
+  EXPECT_TRUE(IsClosedManifold(cut));
+}
+
 // Two solids that touch along two edges in a row stay joined, as a ball: the vertex between the edges has a
 // copy on either side of them.
 TEST(Manifold, StaysJoinedAlongSeveralEdges)

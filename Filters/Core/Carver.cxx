@@ -181,7 +181,8 @@ private:
   {
     const double measure = this->Cells[cell].Priority;
     const double exponent = this->Options.DepthExponent;
-    if (exponent == 0.0 || measure == 0.0)
+    if (exponent == 0.0 ||
+      measure == 0.0) // the power may be infinite, which 0 must not be multiplied by
     {
       return measure;
     }

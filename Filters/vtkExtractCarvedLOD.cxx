@@ -50,7 +50,8 @@ int StepOfTime(Prepared& stream, double time, int numberOfTimes)
     stream.StepsOfTimes = carving::SpreadLevels(stream.Profile, numberOfTimes);
   }
   const double last = static_cast<double>(stream.StepsOfTimes.size()) - 1.0;
-  const double fraction = std::clamp(time / (numberOfTimes - 1), 0.0, 1.0);
+  // fmax passes over a time that is not a number.
+  const double fraction = std::min(std::fmax(0.0, time / (numberOfTimes - 1)), 1.0);
   return stream.StepsOfTimes[static_cast<std::size_t>(std::lround(fraction * last))];
 }
 

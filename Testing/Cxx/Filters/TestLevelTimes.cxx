@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 using vtkSDDP = vtkStreamingDemandDrivenPipeline;
@@ -50,6 +51,12 @@ protected:
 };
 
 } // namespace
+
+// A time that is not a number shows the first level.
+TEST_F(LevelTimes, NeedNotBeNumbers)
+{
+  EXPECT_EQ(this->StepAt(std::numeric_limits<double>::quiet_NaN()), 0);
+}
 
 // Times are offered before anything has been carved, as many as are wished for.
 TEST_F(LevelTimes, AreOfferedFromTheStart)

@@ -89,6 +89,15 @@ private:
   std::list<Prepared> All;
 };
 
+static_assert(vtkExtractCarvedLOD::VERTICES == static_cast<int>(carving::LevelTarget::Vertices) &&
+    vtkExtractCarvedLOD::TRIANGLES == static_cast<int>(carving::LevelTarget::Triangles) &&
+    vtkExtractCarvedLOD::FEATURE_SIZE == static_cast<int>(carving::LevelTarget::FeatureSize) &&
+    vtkExtractCarvedLOD::GENUS == static_cast<int>(carving::LevelTarget::Genus) &&
+    vtkExtractCarvedLOD::COMPONENTS == static_cast<int>(carving::LevelTarget::Components) &&
+    vtkExtractCarvedLOD::ERROR_BOUND == static_cast<int>(carving::LevelTarget::ErrorBound) &&
+    vtkExtractCarvedLOD::STEP == static_cast<int>(carving::LevelTarget::Step),
+  "the filter's targets are passed on as the core's");
+
 vtkStandardNewMacro(vtkExtractCarvedLOD);
 
 //------------------------------------------------------------------------------

@@ -84,8 +84,8 @@ public:
   bool OfferTimes(vtkInformation* input, vtkInformation* output);
 
   ///@{
-  /** The number of time steps that FollowTime offers, at least 2. Default 50. */
-  vtkSetClampMacro(NumberOfTimeSteps, int, 2, VTK_INT_MAX);
+  /** The number of time steps that FollowTime offers. Range 2 to 100,000, default 50. */
+  vtkSetClampMacro(NumberOfTimeSteps, int, 2, 100000);
   vtkGetMacro(NumberOfTimeSteps, int);
   ///@}
 

@@ -181,10 +181,9 @@ private:
   {
     const double measure = this->Cells[cell].Priority;
     const double exponent = this->Options.DepthExponent;
-    if (exponent == 0.0 ||
-      measure == 0.0) // the power may be infinite, which 0 must not be multiplied by
+    if (exponent == 0.0 || measure == 0.0)
     {
-      return measure;
+      return measure; // 0 must not be multiplied by the power, which may be infinite
     }
     return std::min(measure * std::pow(depth, -exponent), std::numeric_limits<double>::max());
   }

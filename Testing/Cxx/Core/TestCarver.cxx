@@ -204,23 +204,6 @@ TEST(Carver, DividesPriorityByAPowerOfDepth)
   }
 }
 
-// A tetrahedron without volume has priority 0, whatever power of its depth that is multiplied by.
-TEST(Carver, GivesFlatTetrahedraNoPriority)
-{
-  const Tetrahedralization mesh =
-    small::Assemble({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 5, 0, 0 }, { 6, 0, 0 },
-                      { 5, 1, 0 }, { 5, 0, 1 } },
-      { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {});
-  CarveOptions options;
-  options.Measure = PriorityMeasure::Volume;
-  options.DepthExponent = 1e308;
-  options.Depths = { 0.5, 0.5 };
-  Stream stream;
-  EXPECT_TRUE(Carve(mesh, Classify(mesh), options, stream));
-  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
-  EXPECT_EQ(stream.Priority[0], 0.0);
-}
-
 // Depths that are given replace those of the hierarchy.
 TEST(Carver, TakesGivenDepths)
 {

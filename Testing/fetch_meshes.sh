@@ -16,9 +16,10 @@ done
 
 if [ ! -s "$1/bunny.off" ]; then
   fetch glmark2-data
-  awk '
-    $1 == "v" { points = points $2 " " $3 " " $4 "\n"; ++p }
-    $1 == "f" { faces = faces NF - 1; for (i = 2; i <= NF; ++i) faces = faces " " $i - 1; faces = faces "\n"; ++f }
-    END { printf "OFF\n%d %d 0\n%s%s", p, f, points, faces }
-  ' "$build_root/meshes/glmark2-data/usr/share/glmark2/models/bunny.obj" >"$1/bunny.off"
+  bunny=$build_root/meshes/glmark2-data/usr/share/glmark2/models/bunny.obj
+  {
+    printf 'OFF\n%d %d 0\n' "$(grep -c '^v ' "$bunny")" "$(grep -c '^f ' "$bunny")"
+    awk '$1 == "v" { print $2, $3, $4 }' "$bunny"
+    awk '$1 == "f" { printf NF - 1; for (i = 2; i <= NF; ++i) printf " " $i - 1; print "" }' "$bunny"
+  } >"$1/bunny.off"
 fi

@@ -4,6 +4,8 @@
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Everything that is made goes below this folder.
 build_root=${BUILD_DIR:-$root/build}
+# What one clone has compiled need not be compiled by another.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
 # Whatever a build or a test uses itself is named, so that a machine with more on it hides nothing.
 build_packages=(

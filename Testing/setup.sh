@@ -74,14 +74,14 @@ require_packages() {
   printf '%s' "$*" >"$today"
 }
 
-# build NAME [CMAKE_OPTION...]: configure and build into a folder of that name.
+# build NAME [CMAKE_OPTION...]: configure and build, all or only $targets, into a folder of that name.
 build() {
   local directory=$build_root/$1 log=$build_root/$1.log
   shift
   say "Building in $directory"
   {
     cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
-      ninja -C "$directory"
+      ninja -C "$directory" ${targets:-}
   } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; all of it is in $log"; }
 }
 

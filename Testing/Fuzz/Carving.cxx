@@ -5,18 +5,26 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 using namespace carving;
 
 namespace
 {
 
+/** A multiple of `unit`, from 0 on, or as the last of `count` possibilities the greatest number that there is. */
+double DrawUpToHuge(Bytes& bytes, int count, double unit)
+{
+  const int drawn = bytes.Below(count);
+  return drawn + 1 < count ? unit * drawn : std::numeric_limits<double>::max();
+}
+
 CarveOptions DrawOptions(Bytes& bytes, std::size_t numberOfCells)
 {
   CarveOptions options;
   options.Measure = static_cast<PriorityMeasure>(bytes.Below(4));
-  options.DepthExponent = 0.5 * bytes.Below(5);
-  options.BreadthRadius = 0.3 * bytes.Below(8);
+  options.DepthExponent = DrawUpToHuge(bytes, 6, 0.5);
+  options.BreadthRadius = DrawUpToHuge(bytes, 8, 0.3);
   options.CarveExposed = bytes.Bit();
   options.CarveVoids = bytes.Bit();
   if (bytes.Bit())
@@ -24,6 +32,13 @@ CarveOptions DrawOptions(Bytes& bytes, std::size_t numberOfCells)
     for (std::size_t i = 0; i < numberOfCells; ++i)
     {
       options.Depths.push_back(0.01 + bytes.Below(8));
+    }
+  }
+  if (bytes.Bit())
+  {
+    for (int& limit : options.Budget)
+    {
+      limit = bytes.Below(5) - 1;
     }
   }
   return options;
@@ -37,7 +52,8 @@ Carving<D> CarveWith(Bytes& bytes, const Decomposition<D>& mesh)
   Carving<D> result;
   const Classification regions = Classify(mesh, static_cast<SolidRule>(bytes.Below(3)));
   const CarveOptions options = DrawOptions(bytes, mesh.Cells.size());
-  Stream stream;
+  result.Budget = options.Budget;
+  Stream& stream = result.Order;
   Carve(mesh, regions, options, stream);
   result.Stored = Store(mesh, regions, stream);
   result.Stored.Measure = options.Measure;

@@ -13,6 +13,8 @@
 template <int D>
 struct Carving
 {
+  carving::BettiNumbers Budget;
+  carving::Stream Order; ///< of all cells, while `Stored` may lack those of the solid
   carving::StoredStream<D> Stored;
   carving::Profile Profile;
   std::vector<int> Steps; ///< of the levels

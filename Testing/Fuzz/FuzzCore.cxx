@@ -6,6 +6,7 @@
 #include "Carving.h"
 #include "Chain.h"
 #include "Decompositions.h"
+#include "GluedCount.h"
 #include "Level.h"
 #include "Manifold.h"
 #include "ManifoldCheck.h"
@@ -35,7 +36,10 @@ void CheckLevel(const Carving<D>& carved, int step)
   }
 }
 
-/** Voids never become fewer, nor do components where all points are of M; volume never grows. */
+/**
+ * Voids never become fewer, nor do components where all points are of M; volume never grows; whatever is carved
+ * has a priority.
+ */
 template <int D>
 void CheckProfile(const Profile& profile, const ResolvedInput<D>& surface)
 {
@@ -51,8 +55,30 @@ void CheckProfile(const Profile& profile, const ResolvedInput<D>& surface)
   Require(!allUsed || std::is_sorted(profile.Components.begin(), profile.Components.end()));
   Require(std::is_sorted(profile.Voids.begin(), profile.Voids.end()));
   Require(std::is_sorted(profile.Volume.rbegin(), profile.Volume.rend()));
+  Require(std::all_of(profile.Priority.begin() + 1, profile.Priority.end(),
+    [](double priority) { return priority >= 0.0; }));
   Require(std::all_of(
     profile.Tunnels.begin(), profile.Tunnels.end(), [](int tunnels) { return tunnels >= 0; }));
+}
+
+/** No approximation exceeds the budget, nor, in its components, do the tetrahedra that are glued at faces. */
+template <int D>
+void CheckBudget(const Decomposition<D>& mesh, const Carving<D>& carved)
+{
+  const auto& [components, tunnels, voids] = carved.Budget;
+  const int most = std::max(components, 1); // C0 has one
+  const auto holds = [](const std::vector<int>& numbers, int limit)
+  { return *std::max_element(numbers.begin(), numbers.end()) <= limit; };
+  Require(components < 0 || holds(carved.Profile.Components, most));
+  Require(tunnels < 0 || holds(carved.Profile.Tunnels, tunnels));
+  Require(voids < 0 || holds(carved.Profile.Voids, voids));
+  if constexpr (D == 3)
+  {
+    for (const int step : carved.Steps)
+    {
+      Require(components < 0 || CountGlued(mesh, carved.Order, step) <= most);
+    }
+  }
 }
 
 /** The chain passes approximations of the profile's sizes, forward and backward. */
@@ -142,6 +168,7 @@ void Check(Bytes& bytes)
     CheckLevel(carved, step);
   }
   CheckProfile(carved.Profile, mesh.Surface);
+  CheckBudget(mesh, carved);
   CheckChain(carved);
   CheckRestoring(carved.Stored);
   CheckDamaged(bytes, carved.Stored, carved.Steps);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * fuzz-seeds FOLDER: writes what the fuzz targets start from into FOLDER/core and FOLDER/protocol.
+ * fuzz-seeds FOLDER: writes what the fuzz targets start from into FOLDER/core, FOLDER/extract and
+ * FOLDER/protocol.
  */
 #include "Decompositions.h"
 #include "Protocol.h"
@@ -93,6 +94,7 @@ int main(int argc, char* argv[])
   for (int i = 0; i < 64; ++i)
   {
     write("core", i, static_cast<char>(i) + RandomBytes(8 << i % 6, random));
+    write("extract", i, static_cast<char>(i) + RandomBytes(8 << i % 6, random));
     write("protocol", 3 * i, '\0' + Written(MakeJob(i)));
     write("protocol", 3 * i + 1, '\1' + RandomBytes(63, random) + Written(MakeReply(i, random)));
     write("protocol", 3 * i + 2, '\2' + ProgressLine(static_cast<Stage>(i % 3), i / 64.0));

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Fuzz target: vtkExtractCarvedLOD with streams as files may have them. Whole ones give the levels that they
+ * stand for; of damaged and foreign ones whatever comes out hangs together.
+ */
+#include "ArrayTools.h"
+#include "Carving.h"
+#include "Decompositions.h"
+#include "GridDamage.h"
+#include "StreamOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cstdint>
+#include <numeric>
+
+using namespace carving;
+
+namespace
+{
+
+/** All corners are points, and there is a tuple of data for each point and cell. */
+void CheckLevel(vtkPolyData* level)
+{
+  const vtkIdType numberOfPoints = level->GetNumberOfPoints();
+  for (vtkCellArray* cells : { level->GetPolys(), level->GetLines() })
+  {
+    vtkDataArray* corners = cells->GetConnectivityArray();
+    for (vtkIdType i = 0; i < corners->GetNumberOfTuples(); ++i)
+    {
+      Require(corners->GetTuple1(i) >= 0.0 && corners->GetTuple1(i) < numberOfPoints);
+    }
+  }
+  for (int type : { vtkDataObject::POINT, vtkDataObject::CELL })
+  {
+    vtkDataSetAttributes* data = level->GetAttributes(type);
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      Require(data->GetAbstractArray(i)->GetNumberOfTuples() == level->GetNumberOfElements(type));
+    }
+  }
+}
+
+/** Asks for levels in all ways. */
+void Extract(Bytes& bytes, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(grid);
+  for (int type = vtkExtractCarvedLOD::VERTICES; type <= vtkExtractCarvedLOD::STEP; ++type)
+  {
+    double range[2];
+    extract->GetLevelTargetRange(type, range);
+    extract->SetLevelTargetType(type);
+    extract->SetLevelTarget(bytes.Bit() ? range[1] : bytes.Double());
+    extract->SetManifoldOutput(bytes.Bit());
+    extract->Update();
+    CheckLevel(extract->GetOutput());
+  }
+  extract->UpdateTimeStep(bytes.Bit() ? bytes.Below(50) : bytes.Double());
+  CheckLevel(extract->GetOutput());
+}
+
+template <int D>
+void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPolyData> input;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Point& point : carved.Stored.Mesh.Surface.Points)
+  {
+    points->InsertNextPoint(point.data());
+  }
+  input->SetPoints(points);
+  std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
+  std::iota(cellIds.begin(), cellIds.end(), 0);
+  FillStream(carved.Stored, carved.Profile, input, cellIds, grid);
+  vtkFieldData* fieldData = grid->GetFieldData();
+  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, "a rung");
+  AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, 0.5);
+  AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, 0.25);
+}
+
+/** An unchanged stream gives as many faces as its profile says. */
+template <int D>
+void CheckWhole(const Carving<D>& carved, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkExtractCarvedLOD> extract;
+  extract->SetInputData(grid);
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  for (const int step : carved.Steps)
+  {
+    extract->SetLevelTarget(step);
+    extract->Update();
+    Require(extract->GetOutput()->GetNumberOfCells() == carved.Profile.Triangles[step]);
+  }
+}
+
+template <int D>
+void ExtractDamaged(Bytes& bytes)
+{
+  const Carving<D> carved = CarveWith(bytes, MakeDecomposition<D>(bytes));
+  vtkNew<vtkUnstructuredGrid> grid;
+  FillGrid(carved, grid);
+  if (!carved.Stored.Mesh.Surface.Facets.empty()) // M has some
+  {
+    CheckWhole(carved, grid);
+  }
+  for (int damages = bytes.Below(4); damages > 0; --damages)
+  {
+    Damage(bytes, grid);
+  }
+  Extract(bytes, grid);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  vtkObject::GlobalWarningDisplayOff(); // errors are what is wanted
+  Bytes bytes(data, size);
+  switch (bytes.Below(4))
+  {
+    case 0:
+      ExtractDamaged<2>(bytes);
+      break;
+    case 1:
+    {
+      vtkNew<vtkUnstructuredGrid> grid;
+      MakeForeign(bytes, grid);
+      Extract(bytes, grid);
+      break;
+    }
+    default:
+      ExtractDamaged<3>(bytes);
+  }
+  return 0;
+}

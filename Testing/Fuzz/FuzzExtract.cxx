@@ -85,6 +85,11 @@ void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
   std::iota(cellIds.begin(), cellIds.end(), 0);
   FillStream(carved.Stored, carved.Profile, input, cellIds, grid);
+  // Data of the input's own.
+  auto numbers = MakeArray<vtkDoubleArray>("Numbers", grid->GetNumberOfPoints());
+  numbers->Fill(1.0);
+  grid->GetPointData()->AddArray(numbers);
+  grid->GetCellData()->AddArray(MakeArray<vtkStringArray>("Texts", grid->GetNumberOfCells()));
   vtkFieldData* fieldData = grid->GetFieldData();
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, "a rung");
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, 0.5);

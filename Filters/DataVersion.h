@@ -11,7 +11,7 @@
 
 /**
  * Remembers the state of a data object without keeping the object alive. A time stamp alone does not tell
- * objects apart: those that share points which are newer than all else of them have the same.
+ * objects apart: two that share their points have the same one if the points are the newest part of both.
  */
 class DataVersion
 {
@@ -32,7 +32,7 @@ public:
 
 private:
   vtkWeakPointer<vtkDataObject> Object;
-  vtkMTimeType Time = 0; ///< 0 for no data: what has been deleted since is not taken for that
+  vtkMTimeType Time = 0; ///< 0: no data, unlike data that has been deleted since
 };
 
 #endif

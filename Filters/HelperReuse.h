@@ -15,8 +15,8 @@ struct HelperSettings : carving::HelperOptions
 };
 
 /**
- * Whether the helper program, asked about the same mesh with other settings, would answer as it did. Says
- * no where it might not. The dimension is 3 for meshes, 2 for contours.
+ * Whether the helper program would give the same answer for the same mesh with other settings. False where
+ * this is not certain. The dimension is 3 for meshes, 2 for contours.
  */
 bool WouldAnswerAlike(const carving::Reply& reply, const HelperSettings& before,
   const HelperSettings& now, int dimension);

@@ -15,14 +15,13 @@ class vtkFieldData;
 class vtkPolyData;
 
 /**
- * The input as its data is to be passed on: cell and point arrays that have a name of the outputs' own are
- * renamed, for which there is a note. The input itself where there are none, else a copy that shares the
- * rest with it.
+ * Renames cell and point arrays that have a name of the outputs' own, and adds a note about them. Returns
+ * the input itself if it has no such arrays, else a copy that shares all other data with it.
  */
 vtkSmartPointer<vtkPolyData> RenameForeignArrays(
   vtkPolyData* input, std::vector<std::string>& notes);
 
-/** Removes what a carving writes itself: settings and measures of an older one say nothing of this one. */
+/** Removes what a carving writes itself: the settings and measures of an older carving no longer hold. */
 void RemoveOwnFieldData(vtkFieldData* fieldData);
 
 #endif

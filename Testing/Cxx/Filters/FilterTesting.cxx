@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -55,9 +54,9 @@ void ExpectEqualArrays(vtkAbstractArray* a, vtkAbstractArray* b)
     return;
   }
   ASSERT_TRUE(vtkDataArray::SafeDownCast(a));
-  EXPECT_EQ(std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-              a->GetNumberOfValues() * a->GetDataTypeSize()),
-    0);
+  const auto* bytes = static_cast<const char*>(a->GetVoidPointer(0));
+  EXPECT_TRUE(std::equal(bytes, bytes + a->GetNumberOfValues() * a->GetDataTypeSize(),
+    static_cast<const char*>(b->GetVoidPointer(0))));
 }
 
 void ExpectEqualArrays(vtkFieldData* a, vtkFieldData* b)

@@ -301,7 +301,7 @@ template <int D>
 bool CarverSession<D>::WriteLevels(const Result& result, const std::vector<int>& steps,
   vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* levels)
 {
-  // A walk over the stream finds the faces of so many levels, which bounds the time between two reports.
+  // One walk over the stream finds the faces of this many levels. The number bounds the time between reports.
   constexpr std::size_t levelsAtOnce = 16;
   levels->SetNumberOfBlocks(static_cast<unsigned int>(steps.size()));
   for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)

@@ -12,7 +12,7 @@ bool AttemptsAlike(
 {
   const bool enclosed = !reply.Result.Kept.empty();
   const bool snapped = reply.SnapDistance > 0.0;
-  const bool unlimited = reply.Limits.empty(); // no attempt failed since it had reached a limit
+  const bool unlimited = reply.Limits.empty(); // no attempt has reached a limit
   if (now.Conformity != before.Conformity)
   {
     // EXACT has the same attempts as AUTO, with more patience.
@@ -36,7 +36,7 @@ bool AttemptsAlike(
   {
     return false;
   }
-  // A time limit of 0 is one that depends on the mesh.
+  // A time limit of 0 stands for a limit that depends on the mesh.
   const bool moreTime = before.TimeLimit > 0.0 && now.TimeLimit > before.TimeLimit;
   return now.TimeLimit == before.TimeLimit || (moreTime && unlimited);
 }

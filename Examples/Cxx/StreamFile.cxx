@@ -60,8 +60,8 @@ std::string StreamFile::Read(
   {
     return log->Errors.front();
   }
-  if (reader->GetOutput()->GetNumberOfCells() ==
-    0) // the reader does not report all that it gives up for
+  // The reader gives up on some files without an error.
+  if (reader->GetOutput()->GetNumberOfCells() == 0)
   {
     return "there are no cells in it";
   }

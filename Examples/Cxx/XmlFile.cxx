@@ -14,8 +14,10 @@
 namespace
 {
 
-/** Saves what has been written into the writer's string, by way of which a full disk is noticed: VTK 9.1
- * crashes where writing into a file fails. */
+/**
+ * Saves the string that the writer has made. This notices a full disk, on which VTK 9.1's own writing into a
+ * file crashes.
+ */
 bool Save(const std::string& fileName, vtkXMLWriter* writer)
 {
   std::ofstream file(fileName, std::ios::binary);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCarverAlgorithm.h"
 
-#include "CarverSession.h"
-#include "CompositeTree.h"
-#include "ObjectExchange.h"
+#include "Objects/CompositeTree.h"
+#include "Objects/ObjectExchange.h"
+#include "Session/CarverSession.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -49,7 +49,7 @@ static_assert(
 static_assert(IsSame(Filter::VERTICES, LevelTarget::Vertices) &&
   IsSame(Filter::TRIANGLES, LevelTarget::Triangles) &&
   IsSame(Filter::FEATURE_SIZE, LevelTarget::FeatureSize) &&
-  IsSame(Filter::GENUS, LevelTarget::Genus) &&
+  IsSame(Filter::TUNNELS, LevelTarget::Tunnels) &&
   IsSame(Filter::COMPONENTS, LevelTarget::Components) &&
   IsSame(Filter::ERROR_BOUND, LevelTarget::ErrorBound) && IsSame(Filter::STEP, LevelTarget::Step));
 

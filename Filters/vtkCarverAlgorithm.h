@@ -79,7 +79,7 @@ public:
     VERTICES = 0,
     TRIANGLES = 1,
     FEATURE_SIZE = 2,
-    GENUS = 3,
+    TUNNELS = 3,
     COMPONENTS = 4,
     ERROR_BOUND = 5,
     STEP = 6
@@ -220,7 +220,7 @@ public:
    *
    * Where EXACT or AUTO would fail otherwise, SnapTolerance lets points be moved.
    *
-   * The field data's `Rung` says what it came to, and notes on port 0 why.
+   * The field data's `Strategy` says what it came to, and notes on port 0 why.
    */
   vtkSetClampMacro(Conformity, int, EXACT, AUTO);
   vtkGetMacro(Conformity, int);
@@ -332,7 +332,7 @@ public:
   ///@{
   /**
    * What the level targets are: numbers of VERTICES (default) or TRIANGLES of a level, a FEATURE_SIZE,
-   * numbers of tunnels (GENUS) or COMPONENTS, an ERROR_BOUND or a STEP.
+   * numbers of tunnels (TUNNELS) or COMPONENTS, an ERROR_BOUND or a STEP.
    */
   vtkSetClampMacro(LevelTargetType, int, VERTICES, STEP);
   vtkGetMacro(LevelTargetType, int);
@@ -340,7 +340,7 @@ public:
 
   ///@{
   /**
-   * Levels by size, one for each target. VERTICES, TRIANGLES, GENUS or COMPONENTS n: the last step such
+   * Levels by size, one for each target. VERTICES, TRIANGLES, TUNNELS or COMPONENTS n: the last step such
    * that it and all steps before it have at most n (tunnels may get more and then fewer again); a target
    * below C0's own count gives C0 and a warning. ERROR_BOUND e, a length: the first step such that no
    * point of it or of any step after it is farther than e from M (see ComputeError, which is then taken

@@ -27,7 +27,7 @@
  * box is a rectangle in the plane, along the two axes that are left.
  *
  * The arrays are those of vtkTopologyCarver but for `SurfaceGenus`; `Triangles` is the number of edges,
- * `Genus` that of holes in K_i, `Voids` is 0, `Volume` the area, and `Rung` says how the plane was
+ * `Tunnels` that of holes in K_i, `Voids` is 0, `Volume` the area, and `Strategy` says how the plane was
  * triangulated. The stream has all triangles of C0; those of the solid have `Step` -1 and `Priority` NaN. With
  * ManifoldOutput, what touches in a point is cut apart there.
  * vtkExtractCarvedLOD gives any level from the stream.

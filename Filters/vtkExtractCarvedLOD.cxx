@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractCarvedLOD.h"
 
-#include "CompositeTree.h"
-#include "LevelOutput.h"
-#include "LevelSelection.h"
-#include "StreamInput.h"
+#include "Convert/LevelOutput.h"
+#include "Convert/StreamInput.h"
+#include "Core/Measure/LevelSelection.h"
+#include "Objects/CompositeTree.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -92,7 +92,7 @@ private:
 static_assert(vtkExtractCarvedLOD::VERTICES == static_cast<int>(carving::LevelTarget::Vertices) &&
     vtkExtractCarvedLOD::TRIANGLES == static_cast<int>(carving::LevelTarget::Triangles) &&
     vtkExtractCarvedLOD::FEATURE_SIZE == static_cast<int>(carving::LevelTarget::FeatureSize) &&
-    vtkExtractCarvedLOD::GENUS == static_cast<int>(carving::LevelTarget::Genus) &&
+    vtkExtractCarvedLOD::TUNNELS == static_cast<int>(carving::LevelTarget::Tunnels) &&
     vtkExtractCarvedLOD::COMPONENTS == static_cast<int>(carving::LevelTarget::Components) &&
     vtkExtractCarvedLOD::ERROR_BOUND == static_cast<int>(carving::LevelTarget::ErrorBound) &&
     vtkExtractCarvedLOD::STEP == static_cast<int>(carving::LevelTarget::Step),

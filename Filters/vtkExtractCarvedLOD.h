@@ -40,7 +40,7 @@ public:
     VERTICES = 0,
     TRIANGLES = 1,
     FEATURE_SIZE = 2,
-    GENUS = 3,
+    TUNNELS = 3,
     COMPONENTS = 4,
     ERROR_BOUND = 5,
     STEP = 6
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * What the target is: VERTICES (default), TRIANGLES, FEATURE_SIZE, GENUS, COMPONENTS, ERROR_BOUND or
+   * What the target is: VERTICES (default), TRIANGLES, FEATURE_SIZE, TUNNELS, COMPONENTS, ERROR_BOUND or
    * STEP, each as in vtkTopologyCarver. ERROR_BOUND is for streams that were carved with ComputeError
    * on, or by such targets; of others it gives the last level and a warning.
    */

@@ -33,24 +33,24 @@
  *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point; of a snapped mesh
  *   `SnapDistance`, by how much the point was moved, which makes it one of `NewVertices` if not 0.
  * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
- *   "input" for the level that AppendInput appends), `Rung` (how the
+ *   "input" for the level that AppendInput appends), `Strategy` (how the
  *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcY, without
  *   interior" where triangles inside the solid were left out, which the stream then lacks, "TetGen -pcM" where vertices
  *   were added on its triangles, "TetGen -pcY, snapped" where its points were moved, "Delaunay, enclosing"),
  *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
  *   from it, to 5 %), `SnapDistance` (only of a mesh that has been snapped, see SnapTolerance: the farthest
  *   that a point was moved by, a length), `FeatureSize` (the smallest priority popped up to this step, a length;
- *   infinite for C0); `Components`, `Genus` and `Voids` of the closed complex K_i, and
+ *   infinite for C0); `Components`, `Tunnels` and `Voids` of the closed complex K_i, and
  *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input"; `Error`, how
  *   far it is from M at most, NaN where that has not been asked for (see ComputeError).
  *
  * **Topology.** K_i is M with the solid and all tetrahedra that are not carved away until step i, a closed
  * set. Its `Components` are what hangs together, be it by one point; its `Voids` are the hollows that it
- * encloses; its `Genus` is its tunnels, the first Betti number: the loops in it that nothing fills, each
+ * encloses; its `Tunnels` is its tunnels, the first Betti number: the loops in it that nothing fills, each
  * independent of the others. Components and voids never get fewer; tunnels may merge. The surface is what
  * cutting leaves (see ManifoldOutput): where pieces of K_i touch in single points or edges only, it has more
  * components and fewer handles, and each wall of a void is a component too. `SurfaceGenus` is the sum over
- * its components, and at most `Genus`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md
+ * its components, and at most `Tunnels`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md
  * explains all of this.
  *
  * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
@@ -66,7 +66,7 @@
  * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:
  * those of the solid, and those that M pierces, have `Step` -1 and `Priority` NaN.
  *
- * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Genus` and `Voids` of K_i,
+ * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Tunnels` and `Voids` of K_i,
  * `Priority` (popped at that step), `Volume` (of K_i; never grows), `Error` (NaN unless asked for).
  *
  * The field data of port 0 has a string array `Notes` if there is something the user should know.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelWriter.h"
 
-#include "CarverInput.h"
+#include "Convert/CarverInput.h"
 #include "ErrorLog.h"
-#include "HelperProcess.h"
-#include "MemoryFile.h"
 #include "MeshReader.h"
+#include "Process/HelperProcess.h"
+#include "Process/MemoryFile.h"
 #include "XmlFile.h"
 
 #include "vtkMultiBlockDataSet.h"

@@ -2,8 +2,8 @@
 #include "MeshReader.h"
 
 #include "ErrorLog.h"
-#include "MemoryFile.h"
 #include "OffReader.h"
+#include "Process/MemoryFile.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"

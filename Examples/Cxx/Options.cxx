@@ -72,7 +72,7 @@ LEVELS
     --feature-size X,X,...
         A level for each length: gaps wider than about that are open.
 
-    --genus N,N,...
+    --tunnels N,N,...
     --components N,N,...
         A level for each number: the last one that has at most that many tunnels or
         pieces, as have all before it.
@@ -197,7 +197,7 @@ EXAMPLES
     carve scan.ply.gz -o proxy.stl --triangles 500,5000
     carve scan.ply.gz --stream scan.vtu
     carve scan.vtu --vertices 1000 -o scan_1000.vtp
-    carve scan.ply.gz --genus 0,2 -o few_tunnels.vtm --profile scan.png
+    carve scan.ply.gz --tunnels 0,2 -o few_tunnels.vtm --profile scan.png
 )";
 
 namespace
@@ -228,19 +228,19 @@ std::string ParseTargets(const std::string& name, const std::string& text, Optio
 {
   if (!options.Targets.empty())
   {
-    return "of --vertices, --triangles, --feature-size, --genus, --components, --error-bound and "
+    return "of --vertices, --triangles, --feature-size, --tunnels, --components, --error-bound and "
            "--step only one can be given, and once";
   }
   options.TargetType = name == "vertices" ? vtkTopologyCarver::VERTICES
     : name == "triangles"                 ? vtkTopologyCarver::TRIANGLES
-    : name == "genus"                     ? vtkTopologyCarver::GENUS
+    : name == "tunnels"                   ? vtkTopologyCarver::TUNNELS
     : name == "components"                ? vtkTopologyCarver::COMPONENTS
     : name == "error-bound"               ? vtkTopologyCarver::ERROR_BOUND
     : name == "step"                      ? vtkTopologyCarver::STEP
                                           : vtkTopologyCarver::FEATURE_SIZE;
   const bool length = options.TargetType == vtkTopologyCarver::FEATURE_SIZE ||
     options.TargetType == vtkTopologyCarver::ERROR_BOUND;
-  const double smallest = name == "step" || name == "genus" ? 0.0 : 1.0;
+  const double smallest = name == "step" || name == "tunnels" ? 0.0 : 1.0;
   std::istringstream list(text);
   for (std::string item; std::getline(list, item, ',');)
   {
@@ -352,7 +352,7 @@ std::string Parse(int argc, char* argv[], Options& options)
     { "vertices", required_argument, nullptr, 't' },
     { "triangles", required_argument, nullptr, 't' },
     { "feature-size", required_argument, nullptr, 't' },
-    { "genus", required_argument, nullptr, 't' },
+    { "tunnels", required_argument, nullptr, 't' },
     { "components", required_argument, nullptr, 't' },
     { "error-bound", required_argument, nullptr, 't' },
     { "step", required_argument, nullptr, 't' },

@@ -78,7 +78,7 @@ vtkNew<vtkTable> MakeColumns(vtkTable* profile, const Curve (&curves)[3], bool l
 bool WriteChart(const std::string& fileName, vtkTable* profile, bool contours)
 {
   const Curve curves[3] = { { "Components", "components", { 31, 119, 180 } },
-    { "Genus", contours ? "holes" : "tunnels", { 214, 39, 40 } },
+    { "Tunnels", contours ? "holes" : "tunnels", { 214, 39, 40 } },
     { "Voids", "voids", { 44, 160, 44 } } };
   double most = 0.0;
   for (const Curve& curve : curves)

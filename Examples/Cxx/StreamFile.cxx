@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StreamFile.h"
 
+#include "Convert/StreamInput.h"
+#include "Convert/StreamOutput.h"
+#include "Core/Measure/LevelSelection.h"
 #include "ErrorLog.h"
-#include "LevelSelection.h"
 #include "Options.h"
-#include "StreamInput.h"
-#include "StreamOutput.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"

@@ -89,7 +89,7 @@ void PrintTable(vtkMultiBlockDataSet* levels, bool contours)
     auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
     std::printf("%5u %9s %10s %10s %10s %7s %6s\n", i, GetNumber(level, "Step").c_str(),
       GetNumber(level, "Vertices").c_str(), GetNumber(level, "Triangles").c_str(),
-      GetNumber(level, "Components").c_str(), GetNumber(level, "Genus").c_str(),
+      GetNumber(level, "Components").c_str(), GetNumber(level, "Tunnels").c_str(),
       GetNumber(level, "Voids").c_str());
   }
 }

@@ -155,7 +155,7 @@ def counted(count, name):
 
 def closed_text(level):
     return ", ".join(counted(number(level, name), word) for name, word in (
-        ("Components", "component"), ("Genus", "tunnel"), ("Voids", "void")))
+        ("Components", "component"), ("Tunnels", "tunnel"), ("Voids", "void")))
 
 
 def plain_actor(mesh, color):
@@ -234,16 +234,16 @@ def main():
          text_of=lambda level: next(texts)(level), actors_of=lambda level: next(actors)(level))
 
     mesh = centered(read(cheese))
-    found = levels(mesh, vtkTopologyCarver.GENUS, (0, 10, 50)) + levels(mesh)
+    found = levels(mesh, vtkTopologyCarver.TUNNELS, (0, 10, 50)) + levels(mesh)
     draw(f"{folder}/topology-targets.png", found, 4, None, None, text_of=lambda level: counted(
-        number(level, "Genus"), "tunnel") + f", {level.GetNumberOfPolys():,} triangles")
+        number(level, "Tunnels"), "tunnel") + f", {level.GetNumberOfPolys():,} triangles")
 
     mesh = centered(read(scone))
     sizes = (0.4, 0.2, 0.15, 0.1)
     found = levels(mesh, vtkTopologyCarver.FEATURE_SIZE, sizes, vtkTopologyCarver.CIRCUMRADIUS)
     names = iter(sizes)
     draw(f"{folder}/topology-widths.png", found, 4, None, None, text_of=lambda level:
-         f"closed below {next(names)}: {counted(number(level, 'Genus'), 'tunnel')}")
+         f"closed below {next(names)}: {counted(number(level, 'Tunnels'), 'tunnel')}")
 
 
 if __name__ == "__main__":

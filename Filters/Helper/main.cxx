@@ -4,13 +4,13 @@
  * carving-helper: reads a job on standard input and writes the reply to standard output. Protocol.h
  * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
  */
-#include "Apart.h"
-#include "Clean.h"
-#include "InitialContour.h"
-#include "Intersections.h"
-#include "Ladder.h"
-#include "Protocol.h"
-#include "Triangulate.h"
+#include "Core/Protocol/Protocol.h"
+#include "Helper/Attempts/ChildProcess.h"
+#include "Helper/Attempts/Strategies.h"
+#include "Helper/Plane/InitialContour.h"
+#include "Helper/Plane/Triangulate.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Intersections.h"
 
 #include <cerrno>
 #include <chrono>
@@ -95,9 +95,9 @@ bool TetrahedralizeGiven(const Job& job, Reply& reply, const std::function<bool(
 {
   Reporter reporter(reply);
   CleanGiven(job, reply, reporter);
-  const LadderHost host = { [&](Stage stage) { reporter.Begin(stage); },
+  const StrategyHost host = { [&](Stage stage) { reporter.Begin(stage); },
     [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
-  return ClimbLadder(job, reply, host) || write();
+  return TryStrategies(job, reply, host) || write();
 }
 
 void TriangulateGiven(const Job& job, Reply& reply)
@@ -117,7 +117,7 @@ void TriangulateGiven(const Job& job, Reply& reply)
   if (reply.Error.empty())
   {
     reporter.Begin(Stage::Tetrahedralize);
-    reply.Rung = "CGAL constrained Delaunay";
+    reply.Strategy = "CGAL constrained Delaunay";
     reply.Error = Triangulate(contours, job.Initial, job.Contours, reply.Plane);
     reporter.End();
   }

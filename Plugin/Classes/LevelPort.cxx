@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelPort.h"
 
-#include "CompositeTree.h"
+#include "Objects/CompositeTree.h"
 #include "vtkCarverAlgorithm.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"

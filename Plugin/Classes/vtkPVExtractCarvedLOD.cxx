@@ -34,9 +34,9 @@ double* vtkPVExtractCarvedLOD::GetFeatureSizeRange()
 }
 
 //------------------------------------------------------------------------------
-double* vtkPVExtractCarvedLOD::GetGenusRange()
+double* vtkPVExtractCarvedLOD::GetTunnelsRange()
 {
-  return this->GetRange(GENUS, this->GenusTarget);
+  return this->GetRange(TUNNELS, this->TunnelsTarget);
 }
 
 //------------------------------------------------------------------------------
@@ -70,8 +70,8 @@ int vtkPVExtractCarvedLOD::RequestData(
     case FEATURE_SIZE:
       this->LevelTarget = this->FeatureSizeTarget;
       break;
-    case GENUS:
-      this->LevelTarget = this->GenusTarget;
+    case TUNNELS:
+      this->LevelTarget = this->TunnelsTarget;
       break;
     case COMPONENTS:
       this->LevelTarget = this->ComponentTarget;
@@ -96,7 +96,7 @@ void vtkPVExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VertexTarget: " << this->VertexTarget << "\n";
   os << indent << "TriangleTarget: " << this->TriangleTarget << "\n";
   os << indent << "FeatureSizeTarget: " << this->FeatureSizeTarget << "\n";
-  os << indent << "GenusTarget: " << this->GenusTarget << "\n";
+  os << indent << "TunnelsTarget: " << this->TunnelsTarget << "\n";
   os << indent << "ComponentTarget: " << this->ComponentTarget << "\n";
   os << indent << "ErrorBoundTarget: " << this->ErrorBoundTarget << "\n";
   os << indent << "StepTarget: " << this->StepTarget << "\n";

@@ -26,8 +26,8 @@ public:
   vtkGetMacro(TriangleTarget, int);
   vtkSetClampMacro(FeatureSizeTarget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FeatureSizeTarget, double);
-  vtkSetClampMacro(GenusTarget, int, 0, VTK_INT_MAX);
-  vtkGetMacro(GenusTarget, int);
+  vtkSetClampMacro(TunnelsTarget, int, 0, VTK_INT_MAX);
+  vtkGetMacro(TunnelsTarget, int);
   vtkSetClampMacro(ComponentTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(ComponentTarget, int);
   vtkSetClampMacro(ErrorBoundTarget, double, 0.0, VTK_DOUBLE_MAX);
@@ -44,7 +44,7 @@ public:
   double* GetVertexRange() VTK_SIZEHINT(2);
   double* GetTriangleRange() VTK_SIZEHINT(2);
   double* GetFeatureSizeRange() VTK_SIZEHINT(2);
-  double* GetGenusRange() VTK_SIZEHINT(2);
+  double* GetTunnelsRange() VTK_SIZEHINT(2);
   double* GetComponentRange() VTK_SIZEHINT(2);
   double* GetErrorBoundRange() VTK_SIZEHINT(2);
   double* GetStepRange() VTK_SIZEHINT(2);
@@ -60,7 +60,7 @@ protected:
   int VertexTarget = 1000;
   int TriangleTarget = 2000;
   double FeatureSizeTarget = 0.0;
-  int GenusTarget = 0;
+  int TunnelsTarget = 0;
   int ComponentTarget = 1;
   double ErrorBoundTarget = 0.0;
   int StepTarget = 0;

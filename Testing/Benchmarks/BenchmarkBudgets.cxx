@@ -4,7 +4,7 @@
  * How much longer carving takes with budgets than without, as a ratio within one run, at about 150,000 and
  * 1.5 million tetrahedra.
  */
-#include "Carver.h"
+#include "Core/Carving/Carver.h"
 #include "Figures.h"
 #include "HelperRun.h"
 

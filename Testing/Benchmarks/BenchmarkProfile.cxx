@@ -4,13 +4,13 @@
  * What the profile and the distances cost, next to the carving of the same tetrahedra: of trees of about
  * 150,000 and 1,500,000 of them in the hull.
  */
-#include "Carver.h"
+#include "Core/Carving/Carver.h"
+#include "Core/Measure/Profile.h"
+#include "Core/Measure/StreamError.h"
+#include "Core/Measure/StreamTopology.h"
+#include "Core/Stream/StoredStream.h"
 #include "Figures.h"
 #include "HelperRun.h"
-#include "Profile.h"
-#include "StoredStream.h"
-#include "StreamError.h"
-#include "StreamTopology.h"
 
 #include <benchmark/benchmark.h>
 

@@ -5,8 +5,8 @@
  * cover each other, and sheets that cross. The counter `growth` is the time a pair by that of the smallest
  * mesh of the kind in the same run: about 1 where time is linear in the pairs.
  */
-#include "Clean.h"
-#include "Resolve.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Resolve.h"
 #include "Shapes.h"
 
 #include <benchmark/benchmark.h>

@@ -6,7 +6,7 @@
 #ifndef RealMeshes_h
 #define RealMeshes_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <string>
 

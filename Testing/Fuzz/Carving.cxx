@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carving.h"
 
-#include "StreamTopology.h"
+#include "Core/Measure/StreamTopology.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -7,8 +7,8 @@
 #define Carving_h
 
 #include "Bytes.h"
-#include "LevelSelection.h"
-#include "StoredStream.h"
+#include "Core/Measure/LevelSelection.h"
+#include "Core/Stream/StoredStream.h"
 
 template <int D>
 struct Carving

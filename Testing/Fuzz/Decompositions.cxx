@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Decompositions.h"
 
-#include "Adjacency.h"
-#include "Vector.h"
+#include "Core/Mesh/Adjacency.h"
+#include "Core/Mesh/Vector.h"
 
 #include <algorithm>
 #include <numeric>
@@ -149,8 +149,8 @@ void Constrain(Bytes& bytes, Decomposition<D>& mesh)
       const bool flipped = consistent ? !within[cell] : bytes.Bit();
       surface.Facets.push_back(flipped ? Flipped<D>(outward) : outward);
       const int count = consistent ? 1 : 1 + bytes.Below(3);
-      surface.Counts.push_back(count);
-      surface.Windings.push_back(consistent ? 1 : bytes.Below(2 * count + 1) - count);
+      surface.Multiplicities.push_back(count);
+      surface.SignedMultiplicities.push_back(consistent ? 1 : bytes.Below(2 * count + 1) - count);
       surface.FacetSources.push_back(static_cast<int>(surface.FacetSources.size()));
     }
   }
@@ -172,8 +172,8 @@ void Keep(Bytes& bytes, Decomposition<D>& mesh)
       std::copy(mesh.Cells[cell].begin(), mesh.Cells[cell].begin() + D, facet.begin());
       mesh.Unresolved.Facets.push_back(facet);
       mesh.Unresolved.FacetSources.push_back(0);
-      mesh.Unresolved.Counts.push_back(1);
-      mesh.Unresolved.Windings.push_back(1);
+      mesh.Unresolved.Multiplicities.push_back(1);
+      mesh.Unresolved.SignedMultiplicities.push_back(1);
     }
   }
 }

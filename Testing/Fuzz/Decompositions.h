@@ -7,7 +7,7 @@
 #define Decompositions_h
 
 #include "Bytes.h"
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 /**
  * A box of cubes (squares), split into tetrahedra (triangles) and these again at some points, constrained

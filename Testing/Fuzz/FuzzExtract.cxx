@@ -4,11 +4,11 @@
  * Fuzz target: vtkExtractCarvedLOD with streams as files may have them. Whole ones give the levels that they
  * stand for; of damaged and foreign ones whatever comes out hangs together.
  */
-#include "ArrayTools.h"
 #include "Carving.h"
+#include "Convert/ArrayTools.h"
+#include "Convert/StreamOutput.h"
 #include "Decompositions.h"
 #include "GridDamage.h"
-#include "StreamOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -91,7 +91,7 @@ void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
   grid->GetPointData()->AddArray(numbers);
   grid->GetCellData()->AddArray(MakeArray<vtkStringArray>("Texts", grid->GetNumberOfCells()));
   vtkFieldData* fieldData = grid->GetFieldData();
-  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Rung, "a rung");
+  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, "a strategy");
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, 0.5);
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, 0.25);
 }

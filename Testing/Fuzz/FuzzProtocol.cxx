@@ -5,9 +5,9 @@
  * it was, and a reply can be carved.
  */
 #include "Carving.h"
-#include "Level.h"
-#include "Manifold.h"
-#include "Protocol.h"
+#include "Core/Protocol/Protocol.h"
+#include "Core/Stream/Level.h"
+#include "Core/Surface/Manifold.h"
 
 #include <cstdint>
 #include <sstream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridDamage.h"
 
-#include "ArrayTools.h"
-#include "StreamOutput.h"
+#include "Convert/ArrayTools.h"
+#include "Convert/StreamOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -198,7 +198,7 @@ void MakeForeign(Bytes& bytes, vtkUnstructuredGrid* grid)
     { StreamArrays::Priority, StreamArrays::Depth, StreamArrays::Step, StreamArrays::Region,
       StreamArrays::SolidSides, StreamArrays::OriginalCells, StreamArrays::OriginalPoints,
       StreamArrays::Measure, StreamArrays::BothFoldSides, StreamArrays::ProfileVertices,
-      StreamArrays::ProfileTriangles, StreamArrays::ProfileComponents, StreamArrays::ProfileGenus,
+      StreamArrays::ProfileTriangles, StreamArrays::ProfileComponents, StreamArrays::ProfileTunnels,
       StreamArrays::ProfileVoids, StreamArrays::ProfileVolume, StreamArrays::ProfilePriority })
   {
     const int which = bytes.Below(3);

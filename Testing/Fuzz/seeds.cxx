@@ -4,8 +4,8 @@
  * fuzz-seeds FOLDER: writes what the fuzz targets start from into FOLDER/core, FOLDER/extract and
  * FOLDER/protocol.
  */
+#include "Core/Protocol/Protocol.h"
 #include "Decompositions.h"
-#include "Protocol.h"
 #include "Shapes.h"
 
 #include <filesystem>
@@ -69,7 +69,7 @@ Reply MakeReply(int i, std::mt19937_64& random)
     reply.Result = MakeRandom<3>(random);
   }
   reply.Error = i % 16 == 0 ? "an error" : "";
-  reply.Rung = "a rung";
+  reply.Strategy = "a strategy";
   reply.Attempts = "one\nanother\n";
   reply.Limits = "a limit\n";
   reply.StageSeconds.assign(NumberOfStages, 0.5);

@@ -6,7 +6,7 @@
 #ifndef Contours_h
 #define Contours_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <array>
 #include <vector>

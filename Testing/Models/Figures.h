@@ -8,7 +8,7 @@
 #ifndef Figures_h
 #define Figures_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 namespace models
 {

@@ -6,7 +6,7 @@
 #ifndef Implicit_h
 #define Implicit_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <array>
 #include <functional>

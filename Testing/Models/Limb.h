@@ -6,7 +6,7 @@
 #ifndef Limb_h
 #define Limb_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <unordered_map>
 #include <vector>

@@ -7,7 +7,7 @@
 #define ModelFile_h
 
 #include "Contours.h"
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 #ifndef PointMath_h
 #define PointMath_h
 
-#include "Vector.h"
+#include "Core/Mesh/Vector.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #ifndef RandomModels_h
 #define RandomModels_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <random>
 

@@ -6,7 +6,7 @@
 #ifndef Shapes_h
 #define Shapes_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 namespace models
 {

@@ -6,7 +6,7 @@
 #ifndef Spindle_h
 #define Spindle_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figures.h"
-#include "Intersections.h"
+#include "Helper/Resolve/Intersections.h"
 
 #include <gtest/gtest.h>
 

@@ -59,8 +59,8 @@ class TestFilters(unittest.TestCase):
         carver.LevelBy, carver.Components = "Components", 8
         self.assertEqual(numbers(carver, "ComponentsRange"), [1, 8])
         self.assertEqual(counts(carver), (POINTS, TRIANGLES))
-        carver.LevelBy, carver.Genus = "Genus", 0
-        self.assertGreaterEqual(numbers(carver, "GenusRange")[1], 5)
+        carver.LevelBy, carver.Tunnels = "Tunnels", 0
+        self.assertGreaterEqual(numbers(carver, "TunnelsRange")[1], 5)
         self.assertLess(counts(carver)[0], POINTS)
         carver.ComputeError, carver.LevelBy = 1, "Error Bound"
         carver.ErrorBound = 0.0

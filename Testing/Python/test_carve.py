@@ -131,7 +131,7 @@ class TestCarve(unittest.TestCase):
                      "--output", "--levels", "--vertices", "--triangles", "--initial-approximation",
                      "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
                      "--carve-exposed", "--carve-voids", "--maximum-components", "--maximum-tunnels",
-                     "--maximum-voids", "--solid-rule", "--genus", "--components", "--error-bound",
+                     "--maximum-voids", "--solid-rule", "--tunnels", "--components", "--error-bound",
                      "--compute-error", "--profile"):
             self.assertIn(word, run.stdout)
 
@@ -141,7 +141,7 @@ class TestCarve(unittest.TestCase):
         with open(self.path("out.csv"), encoding="utf-8") as file:
             table = list(csv.DictReader(file))
         self.assertEqual(len(table), rows[-1][1] + 1)
-        names = ("Vertices", "Triangles", "Components", "Genus", "Voids")
+        names = ("Vertices", "Triangles", "Components", "Tunnels", "Voids")
         for row in rows:
             self.assertEqual(tuple(int(table[row[1]][name]) for name in names), row[2:])
         self.assertEqual(float(table[-1]["Error"]), 0.0)
@@ -156,7 +156,7 @@ class TestCarve(unittest.TestCase):
 
     def test_picks_levels_by_topology_and_distance(self):
         """Tunnels, components and distances pick levels, also from a stream."""
-        for option, column in (("--genus", 5), ("--components", 4)):
+        for option, column in (("--tunnels", 5), ("--components", 4)):
             rows = self.table(BONES, option, "3,8")
             for row, most in zip(rows, (3, 8)):
                 self.assertLessEqual(row[column], most)
@@ -164,8 +164,8 @@ class TestCarve(unittest.TestCase):
         rows = self.table(BONES, "--error-bound", "0.2,0.4", "--stream", "out.vtu")
         self.assertLess(rows[0][1], rows[1][1])
         self.assertEqual(self.table("out.vtu", "--error-bound", "0.4,0.2"), rows)
-        self.expect_failure(self.run_carve(BONES, "--genus", "-1"), 2, "--genus", "whole numbers")
-        self.expect_failure(self.run_carve(BONES, "--genus", "1", "--components", "1"), 2, "only one")
+        self.expect_failure(self.run_carve(BONES, "--tunnels", "-1"), 2, "--tunnels", "whole numbers")
+        self.expect_failure(self.run_carve(BONES, "--tunnels", "1", "--components", "1"), 2, "only one")
 
     def test_prints_its_version(self):
         """--version prints a name and a number."""

@@ -85,7 +85,7 @@ class TestPanels(unittest.TestCase):
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",
             "SetKeepBothFoldSides": "ONE_SIDE BOTH_SIDES AUTO",
-            "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE GENUS COMPONENTS ERROR_BOUND STEP",
+            "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE TUNNELS COMPONENTS ERROR_BOUND STEP",
         }
         seen = set()
         for proxy in (self.carver, self.picker):

@@ -7,8 +7,8 @@
 #ifndef Homology_h
 #define Homology_h
 
-#include "Carver.h"
-#include "Mesh.h"
+#include "Core/Carving/Carver.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <array>
 #include <vector>

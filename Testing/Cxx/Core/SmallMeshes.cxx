@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmallMeshes.h"
 
-#include "Vector.h"
+#include "Core/Mesh/Vector.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +23,8 @@ Tetrahedralization Assemble(const std::vector<Point>& points,
   mesh.Surface.Facets = triangles;
   mesh.Surface.FacetSources.resize(triangles.size());
   std::iota(mesh.Surface.FacetSources.begin(), mesh.Surface.FacetSources.end(), 0);
-  mesh.Surface.Windings.assign(triangles.size(), 1);
-  mesh.Surface.Counts.assign(triangles.size(), 1);
+  mesh.Surface.SignedMultiplicities.assign(triangles.size(), 1);
+  mesh.Surface.Multiplicities.assign(triangles.size(), 1);
   mesh.Cells = cells;
   mesh.Neighbors.assign(cells.size(), { -1, -1, -1, -1 });
   mesh.Constraints.assign(cells.size(), { -1, -1, -1, -1 });

@@ -6,10 +6,10 @@
 #ifndef SmallMeshes_h
 #define SmallMeshes_h
 
-#include "Carver.h"
-#include "Level.h"
-#include "Mesh.h"
-#include "StoredStream.h"
+#include "Core/Carving/Carver.h"
+#include "Core/Mesh/Mesh.h"
+#include "Core/Stream/Level.h"
+#include "Core/Stream/StoredStream.h"
 
 namespace small
 {

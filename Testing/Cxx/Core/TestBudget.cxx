@@ -3,7 +3,7 @@
  * @file
  * Budgets on tetrahedralizations for which it is known when a tetrahedron has to wait, and until when.
  */
-#include "Carver.h"
+#include "Core/Carving/Carver.h"
 #include "Homology.h"
 #include "SmallMeshes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Carver.h"
+#include "Core/Carving/Carver.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>

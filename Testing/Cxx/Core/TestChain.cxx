@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Chain.h"
-#include "Level.h"
+#include "Core/Stream/Chain.h"
+#include "Core/Stream/Level.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Classification.h"
+#include "Core/Solid/Classification.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -59,8 +59,8 @@ TEST(Classification, CrossesGluedFacesWithoutChange)
     small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
   for (std::size_t i = 4; i < 8; ++i)
   {
-    mesh.Surface.Windings[i] = 0;
-    mesh.Surface.Counts[i] = 2;
+    mesh.Surface.SignedMultiplicities[i] = 0;
+    mesh.Surface.Multiplicities[i] = 2;
   }
   const Classification result = Classify(mesh);
   EXPECT_EQ(result.Kind(0), RegionKind::Solid);
@@ -109,7 +109,7 @@ TEST(Classification, CountsMergedTrianglesByEvenOdd)
     small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
   for (std::size_t i = 4; i < 8; ++i)
   {
-    mesh.Surface.Counts[i] = 2;
+    mesh.Surface.Multiplicities[i] = 2;
   }
   const Classification result = Classify(mesh, SolidRule::EvenOdd);
   EXPECT_EQ(result.Kind(0), RegionKind::Solid);
@@ -120,7 +120,7 @@ TEST(Classification, CountsMergedTrianglesByEvenOdd)
 TEST(Classification, RecordsThatParityDependsOnThePath)
 {
   Tetrahedralization mesh = small::NestedTetrahedra(small::OuterFaces());
-  mesh.Surface.Counts[2] = 2;
+  mesh.Surface.Multiplicities[2] = 2;
   EXPECT_TRUE(Classify(mesh, SolidRule::EvenOdd).Regions[0].Guessed);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level.h"
+#include "Core/Mesh/Vector.h"
+#include "Core/Stream/Level.h"
 #include "SmallMeshes.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 

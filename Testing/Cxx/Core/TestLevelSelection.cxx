@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "LevelSelection.h"
+#include "Core/Measure/LevelSelection.h"
 
 #include <gtest/gtest.h>
 
@@ -140,15 +140,15 @@ TEST(SelectStep, PicksByTunnelsAndComponents)
   Profile profile = WithVertices({ 4, 5, 6, 7, 8 });
   profile.Tunnels = { 0, 1, 3, 2, 4 };
   profile.Components = { 1, 1, 2, 2, 5 };
-  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 0).Step, 0);
-  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 2).Step, 1);
-  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 3).Step, 3);
-  EXPECT_EQ(SelectStep(profile, LevelTarget::Genus, 100).Step, 4);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Tunnels, 0).Step, 0);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Tunnels, 2).Step, 1);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Tunnels, 3).Step, 3);
+  EXPECT_EQ(SelectStep(profile, LevelTarget::Tunnels, 100).Step, 4);
   EXPECT_EQ(SelectStep(profile, LevelTarget::Components, 2).Step, 3);
   const SelectedStep none = SelectStep(profile, LevelTarget::Components, 0);
   EXPECT_EQ(none.Step, 0);
   EXPECT_NE(none.Problem.find("0 components"), std::string::npos);
-  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Genus), (std::array<double, 2>{ 0, 4 }));
+  EXPECT_EQ(GetTargetRange(profile, LevelTarget::Tunnels), (std::array<double, 2>{ 0, 4 }));
   EXPECT_EQ(GetTargetRange(profile, LevelTarget::Components), (std::array<double, 2>{ 1, 5 }));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Manifold.h"
+#include "Core/Surface/Manifold.h"
+#include "Core/Surface/SurfaceTopology.h"
 #include "SmallMeshes.h"
-#include "SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 

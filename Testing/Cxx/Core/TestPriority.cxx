@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Priority.h"
+#include "Core/Carving/Priority.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>

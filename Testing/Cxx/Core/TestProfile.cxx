@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level.h"
-#include "Profile.h"
+#include "Core/Measure/Profile.h"
+#include "Core/Stream/Level.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Protocol.h"
+#include "Core/Protocol/Protocol.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -185,10 +185,11 @@ TEST(Protocol, RejectsImpossibleNumbers)
   reject("not finite", [](auto& mesh) { mesh.Points[3][1] = HUGE_VAL; });
   reject("not finite", [](auto& mesh) { mesh.Points[0][2] = std::nan(""); });
   reject("corner twice", [](auto& mesh) { mesh.Facets[1][2] = mesh.Facets[1][0]; });
-  reject("winding or count", [](auto& mesh) { mesh.Windings[2] = -2; });
-  reject("winding or count", [](auto& mesh) { mesh.Counts[2] = -1; });
+  reject("winding or count", [](auto& mesh) { mesh.SignedMultiplicities[2] = -2; });
+  reject("winding or count", [](auto& mesh) { mesh.Multiplicities[2] = -1; });
   reject("winding or count",
-    [](auto& mesh) { mesh.Counts[0] = mesh.Counts[1] = std::numeric_limits<int>::max(); });
+    [](auto& mesh)
+    { mesh.Multiplicities[0] = mesh.Multiplicities[1] = std::numeric_limits<int>::max(); });
   reject("differ in length", [](auto& mesh) { mesh.PointSources.pop_back(); });
   // A facet that no cell has, one without a cell, and one of another cell.
   reject("one face", [](auto& mesh) { mesh.Facets[0] = { 0, 1, 4 }; });
@@ -197,8 +198,8 @@ TEST(Protocol, RejectsImpossibleNumbers)
     {
       mesh.Facets.push_back({ 0, 1, 2 });
       mesh.FacetSources.push_back(0);
-      mesh.Windings.push_back(1);
-      mesh.Counts.push_back(1);
+      mesh.SignedMultiplicities.push_back(1);
+      mesh.Multiplicities.push_back(1);
     });
   reject("one face", [](auto& mesh) { std::swap(mesh.Facets[0], mesh.Facets[1]); });
 }

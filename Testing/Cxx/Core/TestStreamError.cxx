@@ -3,11 +3,11 @@
  * @file
  * How far approximations are from the mesh.
  */
-#include "FacetTree.h"
-#include "Level.h"
+#include "Core/Measure/StreamError.h"
+#include "Core/Mesh/FacetTree.h"
+#include "Core/Stream/Level.h"
 #include "Shapes.h"
 #include "SmallMeshes.h"
-#include "StreamError.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
  * @file
  * Components, tunnels and voids of streams that are small enough to be worked out by hand.
  */
+#include "Core/Measure/StreamTopology.h"
 #include "Homology.h"
 #include "SmallMeshes.h"
-#include "StreamTopology.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solid/Winding.h"
 #include "Shapes.h"
-#include "Winding.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ ResolvedMesh Resolved(const TriangleMesh& mesh)
   ResolvedMesh result;
   result.Points = mesh.Points;
   result.Facets = mesh.Triangles;
-  result.Windings.assign(mesh.Triangles.size(), 1);
+  result.SignedMultiplicities.assign(mesh.Triangles.size(), 1);
   return result;
 }
 
@@ -55,9 +55,9 @@ TEST(WindingNumber, OfOneSideOfACubeIsASixth)
 TEST(WindingNumber, UsesTheSignedNumberOfCopies)
 {
   ResolvedMesh mesh = Resolved(models::Sphere(1));
-  mesh.Windings.assign(mesh.Facets.size(), 3);
+  mesh.SignedMultiplicities.assign(mesh.Facets.size(), 3);
   EXPECT_NEAR(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 3.0, 1e-12);
-  mesh.Windings.assign(mesh.Facets.size(), 0);
+  mesh.SignedMultiplicities.assign(mesh.Facets.size(), 0);
   EXPECT_EQ(WindingNumber(mesh, { 0.1, 0.2, 0.3 }), 0.0);
 }
 
@@ -83,6 +83,6 @@ TEST(IsClosed, HoldsForATwoSidedSheet)
 {
   ResolvedMesh sheet = Resolved(models::Sheet(2));
   EXPECT_FALSE(IsClosed(sheet));
-  sheet.Windings.assign(sheet.Facets.size(), 0);
+  sheet.SignedMultiplicities.assign(sheet.Facets.size(), 0);
   EXPECT_TRUE(IsClosed(sheet));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solid/Winding.h"
+#include "Core/Solid/WindingTree.h"
 #include "Shapes.h"
-#include "Winding.h"
-#include "WindingTree.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ ResolvedMesh RandomSoup(std::mt19937& random, int numberOfTriangles)
         at[2] + size * coordinate(random) });
     }
     mesh.Facets.push_back({ 3 * t, 3 * t + 1, 3 * t + 2 });
-    mesh.Windings.push_back(winding(random));
+    mesh.SignedMultiplicities.push_back(winding(random));
   }
   return mesh;
 }
@@ -67,7 +67,7 @@ TEST(WindingTree, StaysCloseForAFineMesh)
   mesh.Points = sphere.Points;
   mesh.Facets = sphere.Triangles;
   mesh.Facets.resize(mesh.Facets.size() / 2);
-  mesh.Windings.assign(mesh.Facets.size(), 1);
+  mesh.SignedMultiplicities.assign(mesh.Facets.size(), 1);
   EXPECT_LT(LargestError(mesh, random, 300), 0.02);
 }
 
@@ -94,6 +94,6 @@ TEST(WindingTree, OfNothingIsZero)
   EXPECT_EQ(WindingTree(mesh).Measure({ 0, 0, 0 }), 0.0);
   std::mt19937 random(6);
   mesh = RandomSoup(random, 10);
-  mesh.Windings.assign(10, 0);
+  mesh.SignedMultiplicities.assign(10, 0);
   EXPECT_EQ(WindingTree(mesh).Measure({ 0.5, 0.5, 0.5 }), 0.0);
 }

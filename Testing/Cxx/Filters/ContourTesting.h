@@ -6,7 +6,7 @@
 #ifndef ContourTesting_h
 #define ContourTesting_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 #include "vtkContourCarver.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"

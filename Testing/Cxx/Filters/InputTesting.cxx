@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputTesting.h"
 
-#include "Vector.h"
+#include "Core/Mesh/Vector.h"
 #include "vtkCellArray.h"
 #include "vtkMultiBlockDataSet.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StreamTesting.h"
 
-#include "ArrayTools.h"
 #include "ContourTesting.h"
+#include "Convert/ArrayTools.h"
 #include "FilterTesting.h"
 
 #include "vtkContourCarver.h"

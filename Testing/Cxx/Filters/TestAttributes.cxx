@@ -209,7 +209,7 @@ TEST(Attributes, DescribesLevels)
     EXPECT_EQ(data->GetArray("Triangles")->GetTuple1(0), level->GetNumberOfPolys());
     EXPECT_EQ(data->GetArray("NewVertices")->GetTuple1(0), 0);
     EXPECT_EQ(vtkStringArray::SafeDownCast(data->GetAbstractArray("Kind"))->GetValue(0), "carved");
-    EXPECT_NE(data->GetAbstractArray("Rung"), nullptr);
+    EXPECT_NE(data->GetAbstractArray("Strategy"), nullptr);
   }
   EXPECT_TRUE(
     std::isinf(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0)));

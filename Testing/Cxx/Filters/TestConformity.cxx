@@ -58,10 +58,10 @@ TEST(Conformity, IsSaidInTheFieldData)
   carver->Update();
   const auto expectRung = [&](const char* expected)
   {
-    EXPECT_EQ(GetText(carver->GetOutputDataObject(1), "Rung"), expected);
+    EXPECT_EQ(GetText(carver->GetOutputDataObject(1), "Strategy"), expected);
     for (unsigned int i = 0; i < carver->GetOutput()->GetNumberOfBlocks(); ++i)
     {
-      EXPECT_EQ(GetText(GetLevel(carver, static_cast<int>(i)), "Rung"), expected);
+      EXPECT_EQ(GetText(GetLevel(carver, static_cast<int>(i)), "Strategy"), expected);
     }
   };
   expectRung("TetGen -pcY");
@@ -113,7 +113,7 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   const int last = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1;
   ASSERT_GE(last, 0);
   vtkPolyData* level = GetLevel(carver, last);
-  EXPECT_EQ(GetText(level, "Rung").find("TetGen -pcY, snapped"), 0u);
+  EXPECT_EQ(GetText(level, "Strategy").find("TetGen -pcY, snapped"), 0u);
   const double farthest = level->GetFieldData()->GetArray("SnapDistance")->GetTuple1(0);
   EXPECT_GT(farthest, 0.0);
   EXPECT_NE(GetNotes(carver).find("An attempt failed."), std::string::npos);
@@ -151,7 +151,7 @@ TEST(Conformity, NotesEveryAttempt)
   carver->SetInputData(ToPolyData(models::Doubled(models::Sphere(1), 1e-13, random)));
   carver->SetSnapTolerance(1e-30); // no double near 1 is so near to another
   carver->Update();
-  EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"), "Delaunay, enclosing");
+  EXPECT_EQ(GetText(GetLevel(carver, 0), "Strategy"), "Delaunay, enclosing");
   const std::string notes = GetNotes(carver);
   EXPECT_NE(notes.find("An attempt failed. Snapping: on a grid of"), std::string::npos) << notes;
 }
@@ -192,7 +192,7 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
     carver->SetInputData(matters ? ToPolyData(models::Assembly(12, random)) : TwoBoxes());
     carver->Update();
     ASSERT_GT(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-    EXPECT_EQ(GetText(GetLevel(carver, 0), "Rung"),
+    EXPECT_EQ(GetText(GetLevel(carver, 0), "Strategy"),
       matters ? "TetGen -pcY, without interior" : "TetGen -pcY");
     EXPECT_EQ(GetNotes(carver).find("Inside the solid") != std::string::npos, matters);
     const OtherHelper broken("/bin/false");

@@ -50,12 +50,12 @@ const Name AllNames[] = { { Place::Points, "vtkOriginalPointIds" },
   { Place::Points, "SnapDistance" }, { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
   { Place::Cells, "Step" }, { Place::Cells, "Region" }, { Place::Cells, "SolidSides" },
   { Place::Cells, "vtkOriginalCellIds" }, { Place::Field, "PriorityMeasure" },
-  { Place::Field, "KeepBothFoldSides" }, { Place::Field, "Rung" }, { Place::Field, "KeptDistance" },
-  { Place::Field, "SnapDistance" }, { Place::Field, "ProfileVertices" },
-  { Place::Field, "ProfileTriangles" }, { Place::Field, "ProfileComponents" },
-  { Place::Field, "ProfileGenus" }, { Place::Field, "ProfileVoids" },
-  { Place::Field, "ProfileVolume" }, { Place::Field, "ProfilePriority" },
-  { Place::Field, "ProfileError" } };
+  { Place::Field, "KeepBothFoldSides" }, { Place::Field, "Strategy" },
+  { Place::Field, "KeptDistance" }, { Place::Field, "SnapDistance" },
+  { Place::Field, "ProfileVertices" }, { Place::Field, "ProfileTriangles" },
+  { Place::Field, "ProfileComponents" }, { Place::Field, "ProfileTunnels" },
+  { Place::Field, "ProfileVoids" }, { Place::Field, "ProfileVolume" },
+  { Place::Field, "ProfilePriority" }, { Place::Field, "ProfileError" } };
 
 /** A copy of the stream without an array, and a copy of that array. */
 struct Taken
@@ -156,7 +156,7 @@ TEST(DamagedStreams, AreRefusedForArraysThatAreMissing)
     const std::string text = name.Text;
     const Taken taken(whole, name);
     if (text == "KeptDistance" || text == "SnapDistance" || text == "ProfileError" ||
-      text == "Rung")
+      text == "Strategy")
     {
       EXPECT_EQ(ErrorOf(taken.Stream), "") << text;
     }
@@ -214,7 +214,7 @@ TEST(DamagedStreams, AreRefusedForValuesThatAreNoIntegers)
     { { Place::Cells, "SolidSides" }, facet }, { { Place::Cells, "vtkOriginalCellIds" }, facet },
     { { Place::Field, "PriorityMeasure" }, 0 }, { { Place::Field, "KeepBothFoldSides" }, 0 },
     { { Place::Field, "ProfileVertices" }, 1 }, { { Place::Field, "ProfileTriangles" }, 1 },
-    { { Place::Field, "ProfileComponents" }, 1 }, { { Place::Field, "ProfileGenus" }, 1 },
+    { { Place::Field, "ProfileComponents" }, 1 }, { { Place::Field, "ProfileTunnels" }, 1 },
     { { Place::Field, "ProfileVoids" }, 1 } };
   for (const auto& [name, at] : places)
   {
@@ -243,7 +243,8 @@ TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
     { { Place::Field, "ProfileVertices" }, 0, -1.0 },
     { { Place::Field, "ProfileTriangles" }, 0, -1.0 },
     { { Place::Field, "ProfileComponents" }, 0, 0.0 },
-    { { Place::Field, "ProfileGenus" }, 0, -1.0 }, { { Place::Field, "ProfileVoids" }, 0, -1.0 } };
+    { { Place::Field, "ProfileTunnels" }, 0, -1.0 },
+    { { Place::Field, "ProfileVoids" }, 0, -1.0 } };
   for (const auto& [name, at, value] : values)
   {
     ExpectValueRefused(whole, name, at, value);

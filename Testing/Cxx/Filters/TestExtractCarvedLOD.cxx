@@ -64,7 +64,7 @@ TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
   carver->SetInputData(ReadReal("bones.off"));
   const std::pair<int, double> targets[] = { { vtkTopologyCarver::VERTICES, 500 },
     { vtkTopologyCarver::TRIANGLES, 2000 }, { vtkTopologyCarver::FEATURE_SIZE, 0.7 },
-    { vtkTopologyCarver::GENUS, 5 }, { vtkTopologyCarver::COMPONENTS, 3 },
+    { vtkTopologyCarver::TUNNELS, 5 }, { vtkTopologyCarver::COMPONENTS, 3 },
     { vtkTopologyCarver::ERROR_BOUND, 0.3 }, { vtkTopologyCarver::STEP, 77 } };
   for (const auto& [type, target] : targets)
   {

@@ -25,7 +25,7 @@
 namespace
 {
 
-constexpr const char* Names[] = { "Components", "Genus", "Voids", "SurfaceComponents",
+constexpr const char* Names[] = { "Components", "Tunnels", "Voids", "SurfaceComponents",
   "SurfaceGenus" };
 using Numbers = std::array<int, 5>;
 
@@ -143,7 +143,7 @@ TEST(LevelTopology, MeetsTargets)
 {
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(ReadReal("bones.off"));
-  for (const auto& [type, name, target] : { std::tuple(vtkTopologyCarver::GENUS, "Genus", 3),
+  for (const auto& [type, name, target] : { std::tuple(vtkTopologyCarver::TUNNELS, "Tunnels", 3),
          std::tuple(vtkTopologyCarver::COMPONENTS, "Components", 4) })
   {
     carver->ClearLevelTargets();

@@ -136,7 +136,7 @@ TEST(OwnArrays, DropFieldDataOfLeaves)
   scene->SetBlock(0, leaf);
   for (vtkFieldData* data : { leaf->GetFieldData(), scene->GetFieldData() })
   {
-    AddText(data, "Rung", "stale");
+    AddText(data, "Strategy", "stale");
     AddText(data, "ProfileError", "stale");
     AddText(data, "Notes", "stale");
     AddText(data, "Unit", "mm");
@@ -150,7 +150,7 @@ TEST(OwnArrays, DropFieldDataOfLeaves)
     for (vtkFieldData* data : { whole->GetFieldData(), whole->GetBlock(0)->GetFieldData() })
     {
       EXPECT_TRUE(HasText(data, "Unit", "mm"));
-      for (const char* name : { "Rung", "ProfileError", "Notes" })
+      for (const char* name : { "Strategy", "ProfileError", "Notes" })
       {
         EXPECT_FALSE(HasText(data, name, "stale")) << name;
       }

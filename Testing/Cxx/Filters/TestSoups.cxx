@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "Core/Mesh/Vector.h"
 #include "FilterTesting.h"
 #include "RandomModels.h"
-#include "Vector.h"
 
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 
-#include "Kernels.h"
+#include "Helper/Base/Kernels.h"
 
 #include <CGAL/MP_Float.h>
 #include <CGAL/Surface_mesh.h>

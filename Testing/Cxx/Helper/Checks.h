@@ -6,7 +6,7 @@
 #ifndef Checks_h
 #define Checks_h
 
-#include "Mesh.h"
+#include "Core/Mesh/Mesh.h"
 
 #include <vector>
 

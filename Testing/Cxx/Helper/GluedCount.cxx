@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GluedCount.h"
 
-#include "DisjointSets.h"
+#include "Core/Mesh/DisjointSets.h"
 
 using namespace carving;
 

@@ -6,8 +6,8 @@
 #ifndef GluedCount_h
 #define GluedCount_h
 
-#include "Carver.h"
-#include "Mesh.h"
+#include "Core/Carving/Carver.h"
+#include "Core/Mesh/Mesh.h"
 
 /** How many components the tetrahedra that are left have, glued at faces only; counted from scratch. */
 int CountGlued(const carving::Tetrahedralization& mesh, const carving::Stream& stream, int step);

@@ -6,7 +6,7 @@
 #ifndef HelperRun_h
 #define HelperRun_h
 
-#include "Protocol.h"
+#include "Core/Protocol/Protocol.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 #ifndef ManifoldCheck_h
 #define ManifoldCheck_h
 
-#include "Manifold.h"
+#include "Core/Surface/Manifold.h"
 
 namespace checks
 {

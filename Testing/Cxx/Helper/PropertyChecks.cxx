@@ -2,11 +2,11 @@
 #include "PropertyChecks.h"
 
 #include "Checks.h"
+#include "Core/Measure/LevelSelection.h"
+#include "Core/Measure/StreamTopology.h"
+#include "Core/Surface/SurfaceTopology.h"
 #include "Homology.h"
-#include "LevelSelection.h"
 #include "ManifoldCheck.h"
-#include "StreamTopology.h"
-#include "SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 

@@ -6,11 +6,11 @@
 #ifndef PropertyChecks_h
 #define PropertyChecks_h
 
-#include "Carver.h"
-#include "Classification.h"
-#include "Level.h"
-#include "Profile.h"
-#include "StoredStream.h"
+#include "Core/Carving/Carver.h"
+#include "Core/Measure/Profile.h"
+#include "Core/Solid/Classification.h"
+#include "Core/Stream/Level.h"
+#include "Core/Stream/StoredStream.h"
 
 #include <random>
 

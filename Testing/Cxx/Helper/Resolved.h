@@ -7,8 +7,8 @@
 #define Resolved_h
 
 #include "Checks.h"
-#include "Clean.h"
-#include "Resolve.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Resolve.h"
 
 #include <gtest/gtest.h>
 

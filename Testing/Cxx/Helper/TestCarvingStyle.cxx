@@ -5,13 +5,13 @@
  * level's vertices that lie deep below the initial approximation, at half of the vertices.
  */
 #include "Contours.h"
+#include "Core/Carving/Priority.h"
+#include "Core/Measure/LevelSelection.h"
+#include "Core/Measure/Profile.h"
+#include "Core/Mesh/Vector.h"
+#include "Core/Stream/Level.h"
 #include "Figures.h"
 #include "HelperRun.h"
-#include "Level.h"
-#include "LevelSelection.h"
-#include "Priority.h"
-#include "Profile.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 

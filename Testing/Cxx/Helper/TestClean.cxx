@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Clean.h"
+#include "Helper/Resolve/Clean.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ TEST(Clean, MergesEqualTriangles)
   const ResolvedMesh mesh = Clean(AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
     { { 0, 1, 2 }, { 1, 2, 0 }, { 0, 2, 1 }, { 2, 0, 1 } } }));
   EXPECT_EQ(mesh.Facets, (std::vector<Triangle>{ { 0, 1, 2 } }));
-  EXPECT_EQ(mesh.Windings, std::vector<int>{ 2 });
-  EXPECT_EQ(mesh.Counts, std::vector<int>{ 4 });
+  EXPECT_EQ(mesh.SignedMultiplicities, std::vector<int>{ 2 });
+  EXPECT_EQ(mesh.Multiplicities, std::vector<int>{ 4 });
   EXPECT_EQ(mesh.FacetSources, std::vector<int>{ 0 });
 }
 
@@ -71,8 +71,8 @@ TEST(Clean, KeepsTheSideBetweenGluedBoxes)
   const ResolvedMesh mesh = Clean(AsResolved(models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }),
     models::Flipped(models::Box({ 0, 0, 0 }, { 1, 1, 1 })))));
   EXPECT_EQ(mesh.Facets.size(), 12u);
-  EXPECT_EQ(mesh.Windings, std::vector<int>(12, 0));
-  EXPECT_EQ(mesh.Counts, std::vector<int>(12, 2));
+  EXPECT_EQ(mesh.SignedMultiplicities, std::vector<int>(12, 0));
+  EXPECT_EQ(mesh.Multiplicities, std::vector<int>(12, 2));
 }
 
 // A clean mesh stays as it is.

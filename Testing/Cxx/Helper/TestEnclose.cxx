@@ -4,13 +4,13 @@
  * Enclosing mode: what holds for any soup.
  */
 #include "Checks.h"
+#include "Core/Measure/LevelSelection.h"
+#include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
-#include "LevelSelection.h"
 #include "ManifoldCheck.h"
 #include "PropertyChecks.h"
 #include "RandomModels.h"
 #include "Shapes.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 

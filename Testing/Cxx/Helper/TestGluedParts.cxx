@@ -3,8 +3,8 @@
  * @file
  * Components of the tetrahedra that are left, glued at faces only, while they go one by one.
  */
+#include "Core/Budget/GluedParts.h"
 #include "GluedCount.h"
-#include "GluedParts.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
 
@@ -94,7 +94,7 @@ TEST(GluedParts, AreCountedAsFromScratch)
         states[cell] = CellState::Stays;
       }
     }
-    LeftCells<3> cells(mesh, states);
+    RemainingCells<3> cells(mesh, states);
     GluedParts parts(mesh, cells);
     const int exactFrom = static_cast<int>(random() % (stream.LastStep() + 1));
     for (int step = 1; step <= stream.LastStep(); ++step)

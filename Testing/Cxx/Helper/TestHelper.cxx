@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
 #include "RealMeshes.h"
 #include "Shapes.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 

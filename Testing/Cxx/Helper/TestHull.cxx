@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Helper/Exact/Hull.h"
 #include "HelperRun.h"
-#include "Hull.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "Helper/Exact/InitialSurface.h"
 #include "HelperRun.h"
-#include "InitialSurface.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ TEST(InitialSurface, MayTouchTheInput)
   const HelperRun run = RunWithin(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 }));
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 12.0, 1e-12);
-  for (const int count : run.Reply.Result.Surface.Counts)
+  for (const int count : run.Reply.Result.Surface.Multiplicities)
   {
     EXPECT_EQ(count, 1);
   }

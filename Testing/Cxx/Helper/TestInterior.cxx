@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Helper/Exact/Tetrahedralize.h"
+#include "Helper/Resolve/Interior.h"
 #include "HelperRun.h"
-#include "Interior.h"
 #include "RandomModels.h"
 #include "Resolved.h"
 #include "Shapes.h"
-#include "Tetrahedralize.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ TEST(Interior, LeavesTheSolidAsItIs)
       const int count = DropInterior(rule, mesh);
       if (count == 0)
       {
-        EXPECT_EQ(mesh.Windings, whole.Windings);
+        EXPECT_EQ(mesh.SignedMultiplicities, whole.SignedMultiplicities);
         continue;
       }
       EXPECT_EQ(mesh.Facets.size() + count, whole.Facets.size());
@@ -118,7 +118,7 @@ TEST(Interior, IsLeftOutWhereTetGenRefusesTheWhole)
   job.Solid = SolidRule::NonzeroWinding;
   const HelperRun run = RunHelper(job);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_EQ(run.Reply.Rung.find("TetGen -pcY, without interior"), 0u) << run.Reply.Rung;
+  EXPECT_EQ(run.Reply.Strategy.find("TetGen -pcY, without interior"), 0u) << run.Reply.Strategy;
   EXPECT_GT(run.Reply.InteriorDropped, 0);
   EXPECT_NE(run.Reply.SolidMatters, 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Pierce.h"
+#include "Helper/Enclosing/Pierce.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

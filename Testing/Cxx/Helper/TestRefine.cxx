@@ -4,8 +4,8 @@
  * Enclosing mode: how near its tightest level comes.
  */
 #include "Checks.h"
+#include "Core/Carving/Priority.h"
 #include "HelperRun.h"
-#include "Priority.h"
 #include "RandomModels.h"
 #include "Shapes.h"
 

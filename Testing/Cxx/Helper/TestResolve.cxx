@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Intersections.h"
+#include "Core/Mesh/Vector.h"
+#include "Core/Solid/Winding.h"
+#include "Helper/Resolve/Intersections.h"
 #include "Resolved.h"
 #include "Shapes.h"
-#include "Vector.h"
-#include "Winding.h"
 
 #include <gtest/gtest.h>
 
@@ -153,9 +153,9 @@ TEST(Resolve, MergesCoplanarOverlaps)
   double doubled = 0.0;
   for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
   {
-    if (mesh.Counts[i] == 2)
+    if (mesh.Multiplicities[i] == 2)
     {
-      EXPECT_EQ(mesh.Windings[i], 0); // the boxes face each other
+      EXPECT_EQ(mesh.SignedMultiplicities[i], 0); // the boxes face each other
       doubled += Area(mesh.Points, { mesh.Facets[i] });
     }
   }
@@ -217,10 +217,10 @@ TEST(Resolve, CountsTrianglesThatCoverEachOther)
         sum += sign;
       }
       const int side = SignedCover({ mesh.Points, {} }, mesh.Facets[k], middle);
-      EXPECT_EQ(mesh.Counts[k], count);
-      EXPECT_EQ(side * mesh.Windings[k], sum);
+      EXPECT_EQ(mesh.Multiplicities[k], count);
+      EXPECT_EQ(side * mesh.SignedMultiplicities[k], sum);
       EXPECT_EQ(SignedCover(given, given.Triangles[mesh.FacetSources[k]], middle), side);
-      covered += mesh.Counts[k] * Area(mesh.Points, { mesh.Facets[k] });
+      covered += mesh.Multiplicities[k] * Area(mesh.Points, { mesh.Facets[k] });
     }
     const double expected = Area(given.Points, given.Triangles);
     EXPECT_NEAR(covered, expected, 1e-9 * expected);
@@ -242,7 +242,7 @@ TEST(Resolve, CutsWhatCrossesAPatchwork)
     double covered = 0.0;
     for (std::size_t k = 0; k < mesh.Facets.size(); ++k)
     {
-      covered += mesh.Counts[k] * Area(mesh.Points, { mesh.Facets[k] });
+      covered += mesh.Multiplicities[k] * Area(mesh.Points, { mesh.Facets[k] });
     }
     const double expected =
       Area(patchwork.Points, patchwork.Triangles) + Area(across.Points, across.Triangles);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "Clean.h"
+#include "Core/Mesh/Vector.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Snap.h"
 #include "RandomModels.h"
 #include "Shapes.h"
-#include "Snap.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 
@@ -109,8 +109,8 @@ TEST(Snap, MergesWhatNearlyCoincides)
   SnappedMesh snapped;
   ASSERT_EQ(Snap(Clean(AsResolved(given)), Spacing, {}, HUGE_VAL, snapped), "");
   EXPECT_EQ(snapped.Mesh.Facets, Clean(AsResolved(box)).Facets);
-  EXPECT_EQ(snapped.Mesh.Counts, std::vector<int>(12, 2));
-  EXPECT_EQ(snapped.Mesh.Windings, std::vector<int>(12, 2));
+  EXPECT_EQ(snapped.Mesh.Multiplicities, std::vector<int>(12, 2));
+  EXPECT_EQ(snapped.Mesh.SignedMultiplicities, std::vector<int>(12, 2));
   EXPECT_EQ(snapped.IntersectingPairs, 0);
 }
 

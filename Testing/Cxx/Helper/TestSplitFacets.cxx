@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SplitFacets.h"
+#include "Helper/Exact/SplitFacets.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ ResolvedMesh TwoTriangles()
   mesh.PointSources = { 0, 1, 2, 3, -1, -1 };
   mesh.Facets = { { 0, 1, 2 }, { 1, 0, 3 } };
   mesh.FacetSources = { 7, 8 };
-  mesh.Windings = { 1, -2 };
-  mesh.Counts = { 1, 2 };
+  mesh.SignedMultiplicities = { 1, -2 };
+  mesh.Multiplicities = { 1, 2 };
   return mesh;
 }
 
@@ -48,8 +48,8 @@ TEST(SplitFacets, TakeTheFacetsPlace)
     const double turn = (q[x] - p[x]) * (r[y] - p[y]) - (q[y] - p[y]) * (r[x] - p[x]);
     EXPECT_EQ(turn > 0.0, first) << i;
     EXPECT_EQ(mesh.FacetSources[i], first ? 7 : 8);
-    EXPECT_EQ(mesh.Windings[i], first ? 1 : -2);
-    EXPECT_EQ(mesh.Counts[i], first ? 1 : 2);
+    EXPECT_EQ(mesh.SignedMultiplicities[i], first ? 1 : -2);
+    EXPECT_EQ(mesh.Multiplicities[i], first ? 1 : 2);
   }
   EXPECT_EQ(mesh.PointSources, TwoTriangles().PointSources);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Subdivision.h"
-#include "Vector.h"
+#include "Core/Mesh/Vector.h"
+#include "Helper/Enclosing/Subdivision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "Core/Mesh/Vector.h"
+#include "Helper/Enclosing/SurfaceDistance.h"
 #include "Shapes.h"
-#include "SurfaceDistance.h"
-#include "Vector.h"
 
 #include <gtest/gtest.h>
 

@@ -4,14 +4,14 @@
  * The profile's components, tunnels and voids, on models and real meshes and in the plane. Random meshes
  * are among those of the properties.
  */
+#include "Core/Measure/LevelSelection.h"
+#include "Core/Measure/StreamTopology.h"
 #include "Figures.h"
 #include "HelperRun.h"
 #include "Homology.h"
-#include "LevelSelection.h"
 #include "PropertyChecks.h"
 #include "RealMeshes.h"
 #include "Shapes.h"
-#include "StreamTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -69,7 +69,7 @@ TEST(Topology, OfCheese)
   EXPECT_EQ(profile.Voids.back(), 0);
   for (const int tunnels : { 0, 10, 50 })
   {
-    const int step = SelectStep(profile, LevelTarget::Genus, tunnels).Step;
+    const int step = SelectStep(profile, LevelTarget::Tunnels, tunnels).Step;
     ExpectTopology(carved, step);
     EXPECT_LE(profile.Tunnels[step], tunnels);
     ExpectTopology(carved, step + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kernels.h"
-#include "ResolveContours.h"
-#include "Triangulate.h"
+#include "Helper/Base/Kernels.h"
+#include "Helper/Plane/ResolveContours.h"
+#include "Helper/Plane/Triangulate.h"
 
 #include <CGAL/Segment_2.h>
 
@@ -117,8 +117,8 @@ TEST(CleanContours, CountsMergedEdges)
   const Contours contours = Clean(AsContours(
     { { { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 1 }, { 1, 0 }, { 1, 0 }, { 1, 0 } } }, false));
   ASSERT_EQ(contours.Facets.size(), 1u);
-  EXPECT_EQ(contours.Windings[0], -2);
-  EXPECT_EQ(contours.Counts[0], 4);
+  EXPECT_EQ(contours.SignedMultiplicities[0], -2);
+  EXPECT_EQ(contours.Multiplicities[0], 4);
 }
 
 // A crossing gets a new point, whose third coordinate is interpolated.
@@ -150,8 +150,8 @@ TEST(ResolveContours, MergesOverlaps)
 {
   const Contours contours =
     Resolved({ { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 } }, { { 0, 1 }, { 3, 2 } } });
-  EXPECT_EQ(contours.Counts, (std::vector<int>{ 1, 2, 1 }));
-  EXPECT_EQ(contours.Windings, (std::vector<int>{ 1, 0, 1 }));
+  EXPECT_EQ(contours.Multiplicities, (std::vector<int>{ 1, 2, 1 }));
+  EXPECT_EQ(contours.SignedMultiplicities, (std::vector<int>{ 1, 0, 1 }));
 }
 
 // Contours without crossings stay as they are.

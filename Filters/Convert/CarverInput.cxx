@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/CarverInput.h"
+
+#include "Convert/InputCells.h"
+#include "vtkContourTriangulator.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkTriangleStrip.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/** Cuts polygons into triangles. */
+class PolygonCutter
+{
+public:
+  explicit PolygonCutter(vtkPoints* points)
+    : Points(points)
+  {
+  }
+
+  /** Never loses a part: what has no proper triangulation becomes a fan. */
+  vtkCellArray* Cut(vtkIdType size, const vtkIdType* corners)
+  {
+    this->Triangles->Reset();
+    this->TakeDistinct(size, corners);
+    const vtkIdType count = this->Corners->GetNumberOfIds();
+    if (count > 3)
+    {
+      vtkContourTriangulator::TriangulatePolygon(this->Corners, this->Points, this->Triangles);
+    }
+    if (this->Triangles->GetNumberOfCells() != count - 2 && count > 2)
+    {
+      this->NumberOfFans += count > 3;
+      this->Triangles->Reset();
+      for (vtkIdType i = 2; i < count; ++i)
+      {
+        this->Triangles->InsertNextCell(
+          { this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i) });
+      }
+    }
+    return this->Triangles;
+  }
+
+  vtkIdType GetNumberOfFans() const
+  {
+    return this->NumberOfFans;
+  }
+
+private:
+  /** Leaves out a corner that lies where the one before it does. */
+  void TakeDistinct(vtkIdType size, const vtkIdType* corners)
+  {
+    this->Corners->Reset();
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double p[3], before[3];
+      this->Points->GetPoint(corners[i], p);
+      this->Points->GetPoint(corners[i > 0 ? i - 1 : size - 1], before);
+      if (!std::equal(p, p + 3, before))
+      {
+        this->Corners->InsertNextId(corners[i]);
+      }
+    }
+  }
+
+  vtkPoints* Points;
+  vtkNew<vtkIdList> Corners;
+  vtkNew<vtkCellArray> Triangles;
+  vtkIdType NumberOfFans = 0;
+};
+
+} // namespace
+
+std::string CarverInput::Gather(vtkPolyData* input)
+{
+  *this = {};
+  const std::string error = CheckCells(input, { input->GetPolys(), input->GetStrips() });
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (input->GetNumberOfVerts() > 0 || input->GetNumberOfLines() > 0)
+  {
+    this->Notes.push_back("Vertices and lines bound no volume: " +
+      std::to_string(input->GetNumberOfVerts() + input->GetNumberOfLines()) +
+      " cells were passed over.");
+  }
+  if (input->GetNumberOfPolys() == 0 && input->GetNumberOfStrips() == 0)
+  {
+    return {};
+  }
+  this->Mesh.Points.resize(input->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    input->GetPoint(i, this->Mesh.Points[i].data());
+  }
+  const auto add = [this](vtkIdType cell, vtkCellArray* triangles)
+  {
+    for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
+    {
+      vtkIdType size;
+      const vtkIdType* corners;
+      triangles->GetCellAtId(i, size, corners);
+      this->Mesh.Triangles.push_back({ static_cast<int>(corners[0]), static_cast<int>(corners[1]),
+        static_cast<int>(corners[2]) });
+      this->CellIds.push_back(cell);
+    }
+  };
+  PolygonCutter cutter(input->GetPoints());
+  VisitCells(input, { input->GetPolys() },
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    { add(cell, cutter.Cut(size, corners)); });
+  vtkNew<vtkCellArray> ofStrip;
+  VisitCells(input, { input->GetStrips() },
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    {
+      ofStrip->Reset();
+      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, ofStrip);
+      add(cell, ofStrip);
+    });
+  if (cutter.GetNumberOfFans() > 0)
+  {
+    this->Notes.push_back(std::to_string(cutter.GetNumberOfFans()) +
+      " polygons cross themselves or have no area: they were cut into fans of triangles.");
+  }
+  return {};
+}

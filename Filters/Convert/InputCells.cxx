@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/InputCells.h"
+
+#include "Core/Mesh/Vector.h"
+
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+/** What is computed of coordinates is of the eighth degree at most. */
+constexpr double LargestCoordinate = 1e38;
+constexpr double SmallestDiagonal = 1e-38;
+
+/** The points that cells use, or an error. */
+std::string FindUsed(
+  vtkPolyData* input, std::initializer_list<vtkCellArray*> cells, std::vector<char>& used)
+{
+  std::ostringstream error;
+  const vtkIdType count = input->GetNumberOfPoints();
+  used.assign(count, 0);
+  VisitCells(input, cells,
+    [&](vtkIdType id, vtkIdType size, const vtkIdType* corners)
+    {
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        if (corners[k] >= 0 && corners[k] < count)
+        {
+          used[corners[k]] = 1;
+        }
+        else if (error.tellp() == 0)
+        {
+          error << "Cell " << id << " has the point " << corners[k] << ", but there are only "
+                << count << " points. Remove the cell.";
+        }
+      }
+    });
+  return error.str();
+}
+
+std::string DescribePoint(vtkIdType id, const carving::Point& p)
+{
+  std::ostringstream text;
+  text << "Point " << id << " is (" << p[0] << ", " << p[1] << ", " << p[2] << "): ";
+  return text.str();
+}
+
+} // namespace
+
+std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> cells)
+{
+  if (input->GetNumberOfPoints() > VTK_INT_MAX || input->GetNumberOfCells() > VTK_INT_MAX)
+  {
+    return "The input has more points or cells than a 32-bit integer can count.";
+  }
+  std::vector<char> used;
+  const std::string mistake = FindUsed(input, cells, used);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  std::vector<carving::Point> points;
+  for (vtkIdType i = 0; i < static_cast<vtkIdType>(used.size()); ++i)
+  {
+    if (!used[i])
+    {
+      continue;
+    }
+    carving::Point p;
+    input->GetPoint(i, p.data());
+    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
+    {
+      return DescribePoint(i, p) + "coordinates must be finite. Remove the cells that use it.";
+    }
+    if (std::any_of(p.begin(), p.end(), [](double x) { return std::abs(x) > LargestCoordinate; }))
+    {
+      return DescribePoint(i, p) +
+        "coordinates must not be beyond 1e38. Remove the cells that use it, or scale the input.";
+    }
+    points.push_back(p);
+  }
+  if (!points.empty())
+  {
+    carving::Point lower, upper;
+    carving::GetBounds(points, lower, upper);
+    const double diagonal =
+      std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
+    if (diagonal > 0.0 && diagonal < SmallestDiagonal)
+    {
+      return "The input's diagonal is shorter than 1e-38. Scale the input.";
+    }
+  }
+  return {};
+}

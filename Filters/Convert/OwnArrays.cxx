@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/OwnArrays.h"
+
+#include "Convert/StreamOutput.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cstddef>
+
+namespace
+{
+
+constexpr const char* CellNames[] = { StreamArrays::Priority, StreamArrays::Depth,
+  StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides, StreamArrays::OriginalCells };
+
+constexpr const char* PointNames[] = { StreamArrays::OriginalPoints, StreamArrays::SnapDistance };
+
+/** Of levels, streams and the whole of port 0, in this order. */
+constexpr const char* FieldNames[] = { "Step", "Vertices", "NewVertices", "Triangles", "Kind",
+  StreamArrays::Strategy, StreamArrays::KeptDistance, StreamArrays::SnapDistance, "FeatureSize",
+  "Error", "Components", "Tunnels", "Voids", "SurfaceComponents", "SurfaceGenus",
+  StreamArrays::Measure, StreamArrays::BothFoldSides, "InitialApproximation", "Conformity",
+  "EnclosingTolerance", "SnapTolerance", "SolidRule", "DepthExponent", "DepthMeasure",
+  "BreadthRadius", "CarveExposed", "CarveVoids", "MaximumComponents", "MaximumTunnels",
+  "MaximumVoids", StreamArrays::ProfileVertices, StreamArrays::ProfileTriangles,
+  StreamArrays::ProfileError, StreamArrays::ProfileVolume, StreamArrays::ProfileComponents,
+  StreamArrays::ProfileTunnels, StreamArrays::ProfileVoids, StreamArrays::ProfilePriority,
+  "Notes" };
+
+/** Renames arrays, each by a copy, and adds "old" as "new" to the list. */
+template <std::size_t N>
+void Rename(
+  vtkDataSetAttributes* attributes, const char* const (&names)[N], std::vector<std::string>& list)
+{
+  for (const char* name : names)
+  {
+    vtkAbstractArray* array = attributes->GetAbstractArray(name);
+    if (!array)
+    {
+      continue;
+    }
+    std::string newName = std::string("Input") + name;
+    while (attributes->HasArray(newName.c_str()))
+    {
+      newName = "Input" + newName;
+    }
+    vtkSmartPointer<vtkAbstractArray> copy;
+    copy.TakeReference(array->NewInstance());
+    copy->DeepCopy(array);
+    copy->SetName(newName.c_str());
+    int index = 0;
+    attributes->GetAbstractArray(name, index);
+    const int role = attributes->IsArrayAnAttribute(index); // scalars, normals and so on, or -1
+    attributes->RemoveArray(name);
+    attributes->AddArray(copy);
+    if (role >= 0)
+    {
+      attributes->SetActiveAttribute(newName.c_str(), role);
+    }
+    list.push_back(std::string("\"") + name + "\" as \"" + newName + "\"");
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> RenameForeignArrays(
+  vtkPolyData* input, std::vector<std::string>& notes)
+{
+  auto renamed = vtkSmartPointer<vtkPolyData>::New();
+  renamed->ShallowCopy(input);
+  std::vector<std::string> list;
+  Rename(renamed->GetCellData(), CellNames, list);
+  Rename(renamed->GetPointData(), PointNames, list);
+  if (list.empty())
+  {
+    return input;
+  }
+  std::string note = "The input's arrays have names of the carver's own and were renamed: ";
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    note += (i > 0 ? ", " : "") + list[i];
+  }
+  notes.push_back(note + ".");
+  return renamed;
+}
+
+void RemoveOwnFieldData(vtkFieldData* fieldData)
+{
+  for (const char* name : FieldNames)
+  {
+    fieldData->RemoveArray(name);
+  }
+}

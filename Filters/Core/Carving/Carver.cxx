@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Carving/Carver.h"
+
+#include "Core/Budget/Budget.h"
+#include "Core/Mesh/Vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <queue>
+
+namespace carving
+{
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+bool IsToBeCarved(RegionKind kind, const CarveOptions& options)
+{
+  return kind == RegionKind::Outside || (kind == RegionKind::Void && options.CarveVoids);
+}
+
+/** What carving needs to know of a cell, in one place: it goes from cell to cell all over memory. */
+template <int D>
+struct State
+{
+  typename Decomposition<D>::Cell Next; ///< the neighbors that carving exposes a face of, or -1
+  int Step = Stream::Never;
+  int Degree = 0;
+  double Priority; ///< until it becomes carvable, without regard to depth
+  double Depth = 0.0;
+};
+
+template <int D>
+class Carver
+{
+public:
+  Carver(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
+    Stream& stream)
+    : Mesh(mesh)
+    , Options(options)
+    , Out(stream)
+  {
+    this->PrepareCells();
+    const int numberOfCells = static_cast<int>(mesh.Cells.size());
+    this->Out.StepPriority.assign(1, NaN);
+    std::vector<CellState> states(numberOfCells, CellState::Carvable);
+    std::vector<Candidate> seeds(regions.Regions.size(), { -1.0, -1 });
+    for (int cell = 0; cell < numberOfCells; ++cell)
+    {
+      const RegionKind kind = regions.Kind(cell);
+      if (!IsToBeCarved(kind, options))
+      {
+        states[cell] = CellState::Stays;
+        continue;
+      }
+      ++this->NumberToCarve;
+      if (kind == RegionKind::Void)
+      {
+        Candidate& seed = seeds[regions.RegionOfCell[cell]];
+        seed = std::max(seed, { this->ComputePriority(cell, this->ComputeDepth(cell, 1.0)), cell });
+        continue;
+      }
+      for (int f = 0; f <= D; ++f)
+      {
+        if (mesh.Neighbors[cell][f] < 0 && mesh.Constraints[cell][f] < 0)
+        {
+          this->Expose(cell, 1.0);
+        }
+      }
+    }
+    for (const Candidate& seed : seeds)
+    {
+      if (seed.Cell >= 0)
+      {
+        this->Expose(seed.Cell, 1.0);
+      }
+    }
+    if (HasLimits(options.Budget))
+    {
+      this->Limits = std::make_unique<Budget<D>>(mesh, states, options.Budget);
+    }
+  }
+
+  bool Run(const Progress& progress)
+  {
+    constexpr int reportInterval = 4096;
+    int carved = 0;
+    std::vector<int> taken;
+    Candidate next;
+    for (int pops = 0; this->PopNext(next); ++pops)
+    {
+      if (pops % reportInterval == 0 &&
+        !GoOn(progress, static_cast<double>(carved) / this->NumberToCarve))
+      {
+        return false;
+      }
+      const int step = static_cast<int>(this->Out.StepPriority.size());
+      if (!this->Take(next.Cell, step))
+      {
+        continue;
+      }
+      this->Out.StepPriority.push_back(next.Priority);
+      taken.assign(1, next.Cell);
+      this->WalkBreadth(step, taken);
+      if (this->Options.CarveExposed)
+      {
+        this->CascadeExposed(step, taken);
+      }
+      this->Requeued.clear();
+      carved += static_cast<int>(taken.size());
+    }
+    this->Write();
+    return GoOn(progress, 1.0);
+  }
+
+private:
+  void PrepareCells()
+  {
+    const std::vector<double> measure = ComputePriorities(this->Mesh, this->Options.Measure);
+    this->Cells.resize(measure.size());
+    for (std::size_t cell = 0; cell < this->Cells.size(); ++cell)
+    {
+      State<D>& state = this->Cells[cell];
+      state.Priority = measure[cell];
+      for (int f = 0; f <= D; ++f)
+      {
+        const int neighbor = this->Mesh.Neighbors[cell][f];
+        const bool open =
+          neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 && !this->Mesh.IsKept(neighbor);
+        state.Next[f] = open ? neighbor : -1;
+      }
+    }
+  }
+
+  /** What never went has neither a priority nor a depth. */
+  void Write()
+  {
+    this->Out.Step.clear();
+    this->Out.Priority.clear();
+    this->Out.Depth.clear();
+    this->Out.Step.reserve(this->Cells.size());
+    this->Out.Priority.reserve(this->Cells.size());
+    this->Out.Depth.reserve(this->Cells.size());
+    for (const State<D>& state : this->Cells)
+    {
+      const bool carved = state.Step != Stream::Never;
+      this->Out.Step.push_back(state.Step);
+      this->Out.Priority.push_back(carved ? state.Priority : NaN);
+      this->Out.Depth.push_back(carved ? state.Depth : 0.0);
+    }
+  }
+
+  /** Has the processor fetch a cell that will be needed soon. */
+  void Fetch(int cell) const
+  {
+    __builtin_prefetch(&this->Cells[cell]);
+    if (this->Limits)
+    {
+      this->Limits->Fetch(cell);
+    }
+  }
+
+  void FetchTop() const
+  {
+    if (!this->Queue.empty())
+    {
+      this->Fetch(this->Queue.top().Cell);
+    }
+  }
+
+  /** The given depth, or the one in the hierarchy. */
+  double ComputeDepth(int cell, double hierarchical) const
+  {
+    return this->Options.Depths.empty() ? hierarchical : this->Options.Depths[cell];
+  }
+
+  /** Equation (2); finite, also where the power is not, and 0 for a measure of 0. */
+  double ComputePriority(int cell, double depth) const
+  {
+    const double measure = this->Cells[cell].Priority;
+    const double exponent = this->Options.DepthExponent;
+    if (exponent == 0.0 || measure == 0.0)
+    {
+      return measure; // 0 must not be multiplied by the power, which may be infinite
+    }
+    return std::min(measure * std::pow(depth, -exponent), std::numeric_limits<double>::max());
+  }
+
+  /** One more face of the cell adjoins the exterior. */
+  void Expose(int cell, double hierarchicalDepth)
+  {
+    State<D>& state = this->Cells[cell];
+    if (++state.Degree == 1)
+    {
+      state.Depth = this->ComputeDepth(cell, hierarchicalDepth);
+      state.Priority = this->ComputePriority(cell, state.Depth);
+      this->Queue.push({ state.Priority, cell });
+    }
+  }
+
+  /** Of what can be carved, in the queue and put aside, the one with the highest priority. */
+  bool PopNext(Candidate& next)
+  {
+    for (;;)
+    {
+      const Candidate* aside = this->Limits ? this->Limits->GetBest() : nullptr;
+      if (aside && (this->Queue.empty() || this->Queue.top() < *aside))
+      {
+        next = *aside;
+        this->Limits->PopBest();
+        return true;
+      }
+      if (this->Queue.empty())
+      {
+        return false;
+      }
+      next = this->Queue.top();
+      this->Queue.pop();
+      this->FetchTop();
+      // Others have been carved along with another one, or put aside since.
+      if (this->Cells[next.Cell].Step == Stream::Never && !this->IsDeferred(next.Cell))
+      {
+        return true;
+      }
+    }
+  }
+
+  bool IsDeferred(int cell) const
+  {
+    return this->Limits && this->Limits->IsDeferred(cell);
+  }
+
+  /** Carves the cell, unless that would exceed the budget. */
+  bool Take(int cell, int step)
+  {
+    if (this->Limits && !this->Admit(cell))
+    {
+      return false;
+    }
+    this->Cells[cell].Step = step;
+    return true;
+  }
+
+  bool Admit(int cell)
+  {
+    // What is aside has been looked at since its neighborhood changed.
+    if (this->IsDeferred(cell) || !this->Limits->Admit({ this->Cells[cell].Priority, cell }))
+    {
+      return false;
+    }
+    for (const int other : this->Limits->GetRequeued())
+    {
+      this->Queue.push({ this->Cells[other].Priority, other });
+      this->Requeued.push_back(other);
+    }
+    return true;
+  }
+
+  /** Calls `visit` with every tetrahedron that carving the cell exposes one more face of. */
+  template <class Visitor>
+  void ForEachCarvableNeighbor(int cell, Visitor&& visit)
+  {
+    for (const int neighbor : this->Cells[cell].Next)
+    {
+      if (neighbor >= 0 && this->Cells[neighbor].Step == Stream::Never)
+      {
+        visit(neighbor);
+      }
+    }
+  }
+
+  /** Carves from the popped tetrahedron outward to the radius; `taken` grows while it is walked. */
+  void WalkBreadth(int step, std::vector<int>& taken)
+  {
+    const double radius = this->Options.BreadthRadius;
+    const Point center = radius > 0.0 ? this->Mesh.Centroid(taken[0]) : Point();
+    for (std::size_t i = 0; i < taken.size(); ++i)
+    {
+      for (const int neighbor : this->Cells[taken[i]].Next)
+      {
+        this->Fetch(std::max(neighbor, 0)); // all at once, before they are waited for one by one
+      }
+      this->ForEachCarvableNeighbor(taken[i],
+        [&](int neighbor)
+        {
+          this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
+          if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius &&
+            this->Take(neighbor, step))
+          {
+            taken.push_back(neighbor);
+          }
+        });
+    }
+  }
+
+  /** Carves what `taken` exposed, and what that exposes in turn. */
+  void CascadeExposed(int step, std::vector<int>& taken)
+  {
+    const std::size_t walked = taken.size();
+    for (std::size_t i = 0; i < taken.size(); ++i)
+    {
+      this->ForEachCarvableNeighbor(taken[i],
+        [&](int neighbor)
+        {
+          if (i >= walked) // the walk has counted the faces of its own neighbors
+          {
+            this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
+          }
+          if (this->Cells[neighbor].Degree > 1 && this->Take(neighbor, step))
+          {
+            taken.push_back(neighbor);
+          }
+        });
+      // Exposed already, but not to be had until now.
+      for (std::size_t j = 0; j < this->Requeued.size(); ++j)
+      {
+        const int cell = this->Requeued[j];
+        const State<D>& state = this->Cells[cell];
+        if (state.Step == Stream::Never && !this->IsDeferred(cell) && state.Degree > 1 &&
+          this->Take(cell, step))
+        {
+          taken.push_back(cell);
+        }
+      }
+      this->Requeued.clear();
+    }
+  }
+
+  const Decomposition<D>& Mesh;
+  const CarveOptions& Options;
+  Stream& Out;
+  std::vector<State<D>> Cells;
+  std::priority_queue<Candidate> Queue;
+  std::unique_ptr<Budget<D>> Limits; ///< null if there are none
+  std::vector<int> Requeued;         ///< in this step, of those put aside
+  int NumberToCarve = 0;
+};
+
+} // namespace
+
+template <int D>
+bool Carve(const Decomposition<D>& mesh, const Classification& regions, const CarveOptions& options,
+  Stream& stream, const Progress& progress)
+{
+  return Carver<D>(mesh, regions, options, stream).Run(progress);
+}
+
+int CountLeft(const Classification& regions, const CarveOptions& options, const Stream& stream)
+{
+  int count = 0;
+  for (int cell = 0; cell < static_cast<int>(stream.Step.size()); ++cell)
+  {
+    count += stream.Step[cell] == Stream::Never && IsToBeCarved(regions.Kind(cell), options);
+  }
+  return count;
+}
+
+template bool Carve<2>(
+  const Decomposition<2>&, const Classification&, const CarveOptions&, Stream&, const Progress&);
+template bool Carve<3>(
+  const Decomposition<3>&, const Classification&, const CarveOptions&, Stream&, const Progress&);
+
+} // namespace carving

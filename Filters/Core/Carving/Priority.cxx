@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Carving/Priority.h"
+
+#include "Core/Mesh/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carving
+{
+namespace
+{
+
+template <int D>
+double LongestEdge(const CellCorners<D>& p)
+{
+  double longest = 0.0;
+  for (int i = 0; i <= D; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      const Point edge = p[i] - p[j];
+      longest = std::max(longest, Dot(edge, edge));
+    }
+  }
+  return std::sqrt(longest);
+}
+
+/** The length that a volume or an area stands for. */
+template <int D>
+double SizeAsLength(double size)
+{
+  return D == 3 ? std::cbrt(size) : std::sqrt(size);
+}
+
+/** Not finite for flat cells. */
+double Circumradius(const CellCorners<3>& p)
+{
+  const Point a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
+  const double aa = Dot(a, a), bb = Dot(b, b), cc = Dot(c, c);
+  const Point bc = Cross(b, c), ca = Cross(c, a), ab = Cross(a, b);
+  Point toCenter;
+  for (int i = 0; i < 3; ++i)
+  {
+    toCenter[i] = aa * bc[i] + bb * ca[i] + cc * ab[i];
+  }
+  return Length(toCenter) / (2.0 * std::abs(Dot(a, bc)));
+}
+
+double Circumradius(const CellCorners<2>& p)
+{
+  return Length(p[1] - p[0]) * Length(p[2] - p[1]) * Length(p[0] - p[2]) / (4.0 * Size(p));
+}
+
+} // namespace
+
+template <int D>
+std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure)
+{
+  const double diagonal = Diagonal(mesh.Surface.Points);
+  std::vector<double> priorities(mesh.Cells.size());
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    const CellCorners<D> p = CornersOfCell(mesh, static_cast<int>(cell));
+    switch (measure)
+    {
+      case PriorityMeasure::LongestEdge:
+        priorities[cell] = LongestEdge<D>(p);
+        break;
+      case PriorityMeasure::Volume:
+        priorities[cell] = Size(p);
+        break;
+      case PriorityMeasure::Circumradius:
+      {
+        const double radius = Circumradius(p);
+        priorities[cell] = radius < diagonal ? radius : diagonal; // which NaN becomes too
+        break;
+      }
+      case PriorityMeasure::EdgeVolume:
+        priorities[cell] = std::sqrt(LongestEdge<D>(p) * SizeAsLength<D>(Size(p)));
+        break;
+    }
+  }
+  return priorities;
+}
+
+template std::vector<double> ComputePriorities<2>(const Decomposition<2>&, PriorityMeasure);
+template std::vector<double> ComputePriorities<3>(const Decomposition<3>&, PriorityMeasure);
+
+template <int D>
+double PriorityAsLength(double priority, PriorityMeasure measure)
+{
+  switch (measure)
+  {
+    case PriorityMeasure::Volume:
+      return SizeAsLength<D>(priority);
+    case PriorityMeasure::Circumradius:
+      return 2.0 * priority;
+    default:
+      return priority;
+  }
+}
+
+template double PriorityAsLength<2>(double, PriorityMeasure);
+template double PriorityAsLength<3>(double, PriorityMeasure);
+
+} // namespace carving

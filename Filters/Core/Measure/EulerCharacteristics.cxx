@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Measure/EulerCharacteristics.h"
+
+#include "Core/Mesh/Fetch.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace carving
+{
+namespace
+{
+
+/** An edge that no longer has a cell around it after `Step`, as far as one of its cells can tell. */
+struct EdgeEnd
+{
+  std::array<int, 2> Edge;
+  int Step;
+};
+
+/**
+ * The changes of V - E + F - T, step by step.
+ *
+ * A face vanishes with the later one of its two cells, and an edge with the latest of those around it,
+ * which is later than both of its neighbors there. So each cell tells of the faces behind which nothing
+ * is left when it goes, and of the edges between two such faces.
+ */
+template <int D>
+class EulerCharacteristics
+{
+public:
+  EulerCharacteristics(const Decomposition<D>& mesh, const Stream& stream)
+    : Mesh(mesh)
+    , Step(stream.Step)
+    , Changes(stream.LastStep() + 1, 0)
+    , IsOfSurface(mesh.Surface.Points.size(), 0)
+    , VertexEnds(mesh.Surface.Points.size(), 0)
+  {
+  }
+
+  std::vector<int> Compute()
+  {
+    this->Changes[0] = 1; // C0 is a ball
+    for (const auto& facet : this->Mesh.Surface.Facets)
+    {
+      this->AddSurfaceFacet(facet);
+    }
+    for (int cell = 0; cell < static_cast<int>(this->Mesh.Cells.size()); ++cell)
+    {
+      FetchAhead(this->Mesh, cell, this->Step);
+      for (const int vertex : this->Mesh.Cells[cell])
+      {
+        this->VertexEnds[vertex] = std::max(this->VertexEnds[vertex], this->Step[cell]);
+      }
+      if (this->Step[cell] == Stream::Never)
+      {
+        this->AddKeptCell(cell);
+      }
+      else
+      {
+        this->AddCarvedCell(cell);
+      }
+    }
+    for (std::size_t vertex = 0; vertex < this->VertexEnds.size(); ++vertex)
+    {
+      if (!this->IsOfSurface[vertex])
+      {
+        this->Vanish(0, this->VertexEnds[vertex]);
+      }
+    }
+    this->CountEdges();
+    std::partial_sum(this->Changes.begin(), this->Changes.end(), this->Changes.begin());
+    return std::move(this->Changes);
+  }
+
+private:
+  /** A vertex or an edge vanishes; step 0 is for vertices that no cell has. */
+  void Vanish(int dimension, int step)
+  {
+    if (step > 0 && step != Stream::Never)
+    {
+      this->Changes[step] += dimension == 0 ? -1 : 1;
+    }
+  }
+
+  /** M stays, with its edges and vertices. */
+  void AddSurfaceFacet(const std::array<int, D>& facet)
+  {
+    for (int i = 0; i < D; ++i)
+    {
+      this->IsOfSurface[facet[i]] = 1;
+      if constexpr (D == 3)
+      {
+        this->AddEdge(facet[i], facet[(i + 1) % 3], Stream::Never);
+      }
+    }
+  }
+
+  /** The edges around which carved cells lie beside one that stays. */
+  void AddKeptCell(int cell)
+  {
+    if constexpr (D == 3)
+    {
+      for (int f = 0; f < 4; ++f)
+      {
+        const int neighbor = this->Mesh.Neighbors[cell][f];
+        if (neighbor >= 0 && this->Step[neighbor] != Stream::Never &&
+          this->Mesh.Constraints[cell][f] < 0)
+        {
+          const auto [a, b, c] = this->Mesh.OutwardFace(cell, f);
+          this->AddEdge(a, b, Stream::Never);
+          this->AddEdge(b, c, Stream::Never);
+          this->AddEdge(c, a, Stream::Never);
+        }
+      }
+    }
+  }
+
+  void AddCarvedCell(int cell)
+  {
+    const int step = this->Step[cell];
+    // Faces behind which nothing is left, a bit for each: without branches, which nobody could predict.
+    unsigned int ended = 0;
+    for (int f = 0; f <= D; ++f)
+    {
+      const int neighbor = this->Mesh.Neighbors[cell][f];
+      const int other = this->Step[std::max(neighbor, 0)];
+      const bool before = (neighbor < 0) | (other < step) | ((other == step) & (neighbor < cell));
+      ended |= static_cast<unsigned int>(before & (this->Mesh.Constraints[cell][f] < 0)) << f;
+    }
+    constexpr int bits[16] = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
+    this->Changes[step] += D % 2 == 0 ? bits[ended] - 1 : 1 - bits[ended];
+    if constexpr (D == 3)
+    {
+      // The faces opposite to two corners share the edge between the other two.
+      constexpr unsigned int opposite[6] = { 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011 };
+      constexpr int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+      const auto& corners = this->Mesh.Cells[cell];
+      for (int i = 0; bits[ended] > 1 && i < 6; ++i)
+      {
+        if ((ended & opposite[i]) == opposite[i])
+        {
+          this->AddEdge(corners[edges[i][0]], corners[edges[i][1]], step);
+        }
+      }
+    }
+  }
+
+  void AddEdge(int a, int b, int step)
+  {
+    this->EdgeEnds.push_back({ { std::min(a, b), std::max(a, b) }, step });
+  }
+
+  /** Of all that was told of an edge the latest step counts. */
+  void CountEdges()
+  {
+    std::vector<int> ends(this->Mesh.Surface.Points.size() + 1, 0);
+    for (const EdgeEnd& end : this->EdgeEnds)
+    {
+      ++ends[end.Edge[0] + 1];
+    }
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<std::pair<int, int>> sorted(this->EdgeEnds.size()); // the other vertex and the step
+    for (const EdgeEnd& end : this->EdgeEnds)
+    {
+      sorted[ends[end.Edge[0]]++] = { end.Edge[1], end.Step };
+    }
+    std::vector<int> place(this->Mesh.Surface.Points.size(), -1);
+    int begin = 0;
+    for (std::size_t vertex = 0; vertex + 1 < ends.size(); ++vertex)
+    {
+      int distinct = begin;
+      for (int i = begin; i < ends[vertex]; ++i)
+      {
+        const auto [other, step] = sorted[i];
+        if (place[other] < begin) // not yet told of
+        {
+          place[other] = distinct;
+          sorted[distinct++] = { other, step };
+        }
+        else
+        {
+          sorted[place[other]].second = std::max(sorted[place[other]].second, step);
+        }
+      }
+      for (int i = begin; i < distinct; ++i)
+      {
+        this->Vanish(1, sorted[i].second);
+      }
+      begin = ends[vertex];
+    }
+  }
+
+  const Decomposition<D>& Mesh;
+  const std::vector<int>& Step;
+  std::vector<int> Changes;
+  std::vector<char> IsOfSurface; ///< per vertex: M has it, so that it stays
+  std::vector<int> VertexEnds;   ///< with the last cell around them
+  std::vector<EdgeEnd> EdgeEnds;
+};
+
+} // namespace
+
+template <int D>
+std::vector<int> ComputeEulerCharacteristics(const Decomposition<D>& mesh, const Stream& stream)
+{
+  return EulerCharacteristics<D>(mesh, stream).Compute();
+}
+
+template std::vector<int> ComputeEulerCharacteristics<2>(const Decomposition<2>&, const Stream&);
+template std::vector<int> ComputeEulerCharacteristics<3>(const Decomposition<3>&, const Stream&);
+
+} // namespace carving

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Measure/StreamTopology.h"
+
+#include "Core/Measure/EulerCharacteristics.h"
+#include "Core/Mesh/DisjointSets.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace carving
+{
+namespace
+{
+
+/** The components of a set of simplices that grows. */
+class GrowingComponents
+{
+public:
+  explicit GrowingComponents(std::size_t numberOfPoints)
+    : Sets(numberOfPoints)
+    , Present(numberOfPoints, 0)
+  {
+  }
+
+  template <class Simplex>
+  void Add(const Simplex& corners)
+  {
+    for (const int vertex : corners)
+    {
+      this->Count += !this->Present[vertex];
+      this->Present[vertex] = 1;
+    }
+    int set = this->Sets.Find(corners[0]);
+    for (const int vertex : corners)
+    {
+      const int other = this->Sets.Find(vertex);
+      if (other != set)
+      {
+        this->Sets.Unite(set, other);
+        set = std::min(set, other);
+        --this->Count;
+      }
+    }
+  }
+
+  /** Per vertex a number of its component, -1 where it is in none. */
+  std::vector<int> GetLabels()
+  {
+    std::vector<int> labels(this->Present.size(), -1);
+    for (int vertex = 0; vertex < static_cast<int>(labels.size()); ++vertex)
+    {
+      labels[vertex] = this->Present[vertex] ? this->Sets.Find(vertex) : -1;
+    }
+    return labels;
+  }
+
+  int Count = 0;
+
+private:
+  DisjointSets Sets;
+  std::vector<char> Present;
+};
+
+template <int D>
+std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& stream)
+{
+  GrowingComponents components(mesh.Surface.Points.size());
+  for (const auto& facet : mesh.Surface.Facets)
+  {
+    components.Add(facet);
+  }
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (stream.Step[cell] == Stream::Never)
+    {
+      components.Add(mesh.Cells[cell]);
+    }
+  }
+  // Between parts of one component cells come and go without a trace.
+  const std::vector<int> labels = components.GetLabels();
+  const auto isWithinOne = [&](const auto& corners)
+  {
+    const int label = labels[corners[0]];
+    bool within = label >= 0; // no early way out, which nobody could predict
+    for (const int vertex : corners)
+    {
+      within &= labels[vertex] == label;
+    }
+    return within;
+  };
+  std::vector<int> joining;
+  std::vector<int> ends(stream.LastStep() + 2, 0);
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (stream.Step[cell] != Stream::Never && !isWithinOne(mesh.Cells[cell]))
+    {
+      joining.push_back(static_cast<int>(cell));
+      ++ends[stream.Step[cell] + 1];
+    }
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<int> sorted(joining.size());
+  for (const int cell : joining)
+  {
+    sorted[ends[stream.Step[cell]]++] = cell;
+  }
+  std::vector<int> counts(stream.LastStep() + 1);
+  constexpr int ahead = 16; // cells are all over memory, and fetched before they are needed
+  auto next = sorted.rbegin();
+  for (int step = stream.LastStep(); step >= 0; --step)
+  {
+    for (; next != sorted.rend() && stream.Step[*next] > step; ++next)
+    {
+      if (sorted.rend() - next > ahead)
+      {
+        __builtin_prefetch(&mesh.Cells[next[ahead]]);
+        __builtin_prefetch(&stream.Step[next[ahead]]);
+      }
+      components.Add(mesh.Cells[*next]);
+    }
+    counts[step] = components.Count;
+  }
+  return counts;
+}
+
+std::vector<int> CountVoids(const Classification& regions, const Stream& stream)
+{
+  std::vector<int> opening(regions.Regions.size(), Stream::Never);
+  for (std::size_t cell = 0; cell < stream.Step.size(); ++cell)
+  {
+    int& first = opening[regions.RegionOfCell[cell]];
+    first = std::min(first, stream.Step[cell]);
+  }
+  std::vector<int> counts(stream.LastStep() + 1, 0);
+  for (std::size_t region = 0; region < opening.size(); ++region)
+  {
+    if (regions.Regions[region].Kind == RegionKind::Void && opening[region] != Stream::Never)
+    {
+      ++counts[opening[region]];
+    }
+  }
+  std::partial_sum(counts.begin(), counts.end(), counts.begin());
+  return counts;
+}
+
+} // namespace
+
+template <int D>
+void SetTopology(Profile& profile, const Decomposition<D>& mesh, const Classification& regions,
+  const Stream& stream)
+{
+  profile.Components = CountComponents(mesh, stream);
+  profile.Voids = D == 3 ? CountVoids(regions, stream) : std::vector<int>(stream.LastStep() + 1, 0);
+  profile.Tunnels = ComputeEulerCharacteristics(mesh, stream);
+  for (std::size_t step = 0; step < profile.Tunnels.size(); ++step)
+  {
+    profile.Tunnels[step] = profile.Components[step] + profile.Voids[step] - profile.Tunnels[step];
+  }
+}
+
+template void SetTopology<2>(
+  Profile&, const Decomposition<2>&, const Classification&, const Stream&);
+template void SetTopology<3>(
+  Profile&, const Decomposition<3>&, const Classification&, const Stream&);
+
+} // namespace carving

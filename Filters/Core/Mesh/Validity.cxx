@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/Validity.h"
+
+#include "Core/Mesh/Fetch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+namespace carving
+{
+namespace
+{
+
+bool AreFinite(const std::vector<Point>& points)
+{
+  bool finite = true;
+  for (const Point& p : points)
+  {
+    finite &= std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+  }
+  return finite;
+}
+
+/** A signed multiplicity is a sum of as many signs as the multiplicity says; all multiplicities can be added up. */
+template <int D>
+bool CountsArePossible(const ResolvedInput<D>& input)
+{
+  long long sum = 0;
+  for (std::size_t i = 0; i < input.Multiplicities.size(); ++i)
+  {
+    if (input.Multiplicities[i] < 0 ||
+      std::abs(static_cast<long long>(input.SignedMultiplicities[i])) > input.Multiplicities[i])
+    {
+      return false;
+    }
+    sum += input.Multiplicities[i];
+  }
+  return sum <= std::numeric_limits<int>::max();
+}
+
+/** What is wrong with facets and points by themselves. */
+template <int D>
+std::string FindMistake(const ResolvedInput<D>& input)
+{
+  const std::size_t facets = input.Facets.size();
+  if (input.PointSources.size() != input.Points.size() || input.FacetSources.size() != facets ||
+    input.SignedMultiplicities.size() != facets || input.Multiplicities.size() != facets)
+  {
+    return "arrays that belong together differ in length";
+  }
+  if (!IndicesWithin(input.Facets, 0, input.Points.size()))
+  {
+    return "a vertex index is out of range";
+  }
+  return !CornersDiffer(input.Facets) ? "a facet has a corner twice"
+    : !AreFinite(input.Points)        ? "a coordinate is not finite"
+    : !CountsArePossible(input)       ? "a facet's winding or count cannot be"
+                                      : "";
+}
+
+/** A bit for each corner of a cell that is none of a face's. Without branches, to be fast. */
+template <int D>
+unsigned int CornersApart(const std::array<int, D + 1>& cell, const std::array<int, D>& face)
+{
+  unsigned int apart = 0;
+  for (int corner = 0; corner <= D; ++corner)
+  {
+    bool found = false;
+    for (const int vertex : face)
+    {
+      found |= cell[corner] == vertex;
+    }
+    apart |= static_cast<unsigned int>(!found) << corner;
+  }
+  return apart;
+}
+
+/** The corner of a cell that is opposite to a face of another one; -1 if it has no such face. */
+template <int D>
+int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& face)
+{
+  constexpr int corners[16] = { -1, 0, 1, -1, 2, -1, -1, -1, 3, -1, -1, -1, -1, -1, -1, -1 };
+  return corners[CornersApart<D>(cell, face)];
+}
+
+/**
+ * Both sides of every face must agree on its corners, on who the neighbors are and on the constraint.
+ *
+ * Each face is looked at from the one of its cells with the lower index. No two of them find the same
+ * face of a neighbor, so that, with as many faces seen from the other side, none of those is left over.
+ */
+template <int D>
+bool NeighborsAgree(const Decomposition<D>& mesh)
+{
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  int fromBelow = 0, fromAbove = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors, mesh.Constraints);
+    for (int f = 0; f <= D; ++f)
+    {
+      const int neighbor = mesh.Neighbors[cell][f];
+      if (neighbor <= cell)
+      {
+        if (neighbor == cell)
+        {
+          return false;
+        }
+        fromAbove += neighbor >= 0;
+        continue;
+      }
+      ++fromBelow;
+      const int g = FindOpposite<D>(mesh.Cells[neighbor], mesh.OutwardFace(cell, f));
+      if (g < 0 || mesh.Neighbors[neighbor][g] != cell ||
+        mesh.Constraints[neighbor][g] != mesh.Constraints[cell][f])
+      {
+        return false;
+      }
+    }
+  }
+  return fromBelow == fromAbove;
+}
+
+/** Every facet must be one face, of a cell or between two. */
+template <int D>
+bool FacetsAreFaces(const Decomposition<D>& mesh)
+{
+  constexpr int none = -1;
+  std::vector<int> cells(mesh.Surface.Facets.size(), none);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    for (int f = 0; f <= D; ++f)
+    {
+      const int facet = mesh.Constraints[cell][f];
+      if (facet < 0)
+      {
+        continue;
+      }
+      const std::array<int, D> face = mesh.OutwardFace(cell, f);
+      const std::array<int, D>& corners = mesh.Surface.Facets[facet];
+      if (!std::is_permutation(face.begin(), face.end(), corners.begin()) ||
+        (cells[facet] != none && cells[facet] != mesh.Neighbors[cell][f]))
+      {
+        return false;
+      }
+      cells[facet] = cell;
+    }
+  }
+  return std::find(cells.begin(), cells.end(), none) == cells.end();
+}
+
+} // namespace
+
+template <int D>
+std::string FindMistake(const Decomposition<D>& mesh)
+{
+  for (const ResolvedInput<D>* input : { &mesh.Surface, &mesh.Unresolved })
+  {
+    const std::string mistake = FindMistake(*input);
+    if (!mistake.empty())
+    {
+      return mistake;
+    }
+  }
+  if (mesh.Neighbors.size() != mesh.Cells.size() || mesh.Constraints.size() != mesh.Cells.size() ||
+    (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()))
+  {
+    return "arrays that belong together differ in length";
+  }
+  if (!IndicesWithin(mesh.Cells, 0, mesh.Surface.Points.size()))
+  {
+    return "a vertex index is out of range";
+  }
+  if (!IndicesWithin(mesh.Neighbors, Outside, mesh.Cells.size()) ||
+    !IndicesWithin(mesh.Constraints, -1, mesh.Surface.Facets.size()))
+  {
+    return "a neighbor or constraint index is out of range";
+  }
+  if (!CornersDiffer(mesh.Cells))
+  {
+    return "a cell has a corner twice";
+  }
+  if (!NeighborsAgree(mesh))
+  {
+    return "neighboring tetrahedra disagree about their common face";
+  }
+  if (!FacetsAreFaces(mesh))
+  {
+    return "a facet is not the one face that it is said to be";
+  }
+  return {};
+}
+
+template std::string FindMistake<2>(const Decomposition<2>&);
+template std::string FindMistake<3>(const Decomposition<3>&);
+
+} // namespace carving

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Checks of meshes that come from outside.
+ */
+#ifndef carving_Validity_h
+#define carving_Validity_h
+
+#include "Core/Mesh/Mesh.h"
+
+#include <cstddef>
+#include <string>
+
+namespace carving
+{
+
+/** Whether all indices of all cells or facets are at least `first` and below `end`. */
+template <class Tuples>
+bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
+{
+  bool within = true; // no early way out, so that the compiler can vectorize the loop
+  for (const auto& tuple : tuples)
+  {
+    for (const int index : tuple)
+    {
+      within &= index >= first && index < static_cast<long long>(end);
+    }
+  }
+  return within;
+}
+
+/** Whether all corners of all cells or facets differ from each other. */
+template <class Tuples>
+bool CornersDiffer(const Tuples& tuples)
+{
+  bool differ = true;
+  for (const auto& tuple : tuples)
+  {
+    for (std::size_t i = 0; i < tuple.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        differ &= tuple[i] != tuple[j];
+      }
+    }
+  }
+  return differ;
+}
+
+/**
+ * What contradicts what Mesh.h says of a decomposition, or an empty string: array lengths, indices,
+ * cells and facets that do not fit together, coordinates that are not finite. Whether cells overlap in
+ * space is not looked at.
+ */
+template <int D>
+std::string FindMistake(const Decomposition<D>& mesh);
+
+} // namespace carving
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The few vector operations that the core needs.
+ */
+#ifndef carving_Vector_h
+#define carving_Vector_h
+
+#include "Core/Mesh/Mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace carving
+{
+
+inline Point operator-(const Point& a, const Point& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+
+inline double Dot(const Point& a, const Point& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Point Cross(const Point& a, const Point& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+inline double Length(const Point& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+/** The point a share t of the way from a to b. */
+inline Point Between(const Point& a, const Point& b, double t)
+{
+  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+}
+
+/** The corners of the bounding box of at least one point. */
+inline void GetBounds(const std::vector<Point>& points, Point& lower, Point& upper)
+{
+  lower = upper = points.front();
+  for (const Point& p : points)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      lower[i] = std::min(lower[i], p[i]);
+      upper[i] = std::max(upper[i], p[i]);
+    }
+  }
+}
+
+/** The length of the diagonal of the points' bounding box; 0 without points. */
+inline double Diagonal(const std::vector<Point>& points)
+{
+  if (points.empty())
+  {
+    return 0.0;
+  }
+  Point lower, upper;
+  GetBounds(points, lower, upper);
+  return Length(upper - lower);
+}
+
+/** Six times the signed volume of the tetrahedron (a, b, c, d). */
+inline double SixVolume(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  return Dot(Cross(b - a, c - a), d - a);
+}
+
+} // namespace carving
+
+#endif

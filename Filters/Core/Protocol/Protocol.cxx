@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Protocol/Protocol.h"
+
+#include "Core/Mesh/Validity.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <ostream>
+#include <type_traits>
+
+namespace carving
+{
+namespace
+{
+
+// Bump the last digit whenever the layout changes: host and helper must be of one build.
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '6' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '6' };
+
+class Writer
+{
+public:
+  Writer(std::ostream& out, const char (&magic)[8])
+    : Out(out)
+  {
+    this->Out.write(magic, sizeof(magic));
+  }
+
+  template <class T>
+  void Value(const T& value)
+  {
+    static_assert(std::is_trivially_copyable<T>::value, "raw bytes are written");
+    this->Out.write(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+
+  template <class Container>
+  void Array(const Container& values)
+  {
+    static_assert(
+      std::is_trivially_copyable<typename Container::value_type>::value, "raw bytes are written");
+    this->Value(static_cast<std::uint64_t>(values.size()));
+    this->Out.write(reinterpret_cast<const char*>(values.data()),
+      static_cast<std::streamsize>(values.size() * sizeof(typename Container::value_type)));
+  }
+
+private:
+  std::ostream& Out;
+};
+
+/** Reads nothing past the end: once it has failed, everything it reads is empty. */
+class Reader
+{
+public:
+  Reader(const char* data, std::size_t size)
+    : At(data)
+    , Left(size)
+  {
+  }
+
+  bool Magic(const char (&magic)[8])
+  {
+    char found[8] = {};
+    this->Value(found);
+    return this->Good && std::memcmp(found, magic, sizeof(found)) == 0;
+  }
+
+  template <class T>
+  void Value(T& value)
+  {
+    if (this->Take(sizeof(T)))
+    {
+      std::memcpy(&value, this->At - sizeof(T), sizeof(T));
+    }
+  }
+
+  template <class Container>
+  void Array(Container& values)
+  {
+    using T = typename Container::value_type;
+    std::uint64_t count = 0;
+    this->Value(count);
+    values.clear();
+    if (count <= this->Left / sizeof(T) && this->Take(count * sizeof(T)) && count > 0)
+    {
+      values.resize(count);
+      std::memcpy(&values[0], this->At - count * sizeof(T), count * sizeof(T));
+    }
+    else if (count > 0)
+    {
+      this->Good = false;
+    }
+  }
+
+  /** Everything was there and nothing is left over. */
+  bool Complete() const
+  {
+    return this->Good && this->Left == 0;
+  }
+
+private:
+  bool Take(std::size_t bytes)
+  {
+    this->Good = this->Good && bytes <= this->Left;
+    if (this->Good)
+    {
+      this->At += bytes;
+      this->Left -= bytes;
+    }
+    return this->Good;
+  }
+
+  const char* At;
+  std::size_t Left;
+  bool Good = true;
+};
+
+/** The fields of a job, in order; an archive is a Writer or a Reader. */
+template <class Archive, class JobType>
+void VisitJob(Archive& archive, JobType& job)
+{
+  archive.Value(job.Kind);
+  archive.Value(job.Solid);
+  archive.Value(job.Initial);
+  archive.Value(job.Conformity);
+  archive.Value(job.EnclosingTolerance);
+  archive.Value(job.SnapTolerance);
+  archive.Value(job.TimeLimit);
+  archive.Value(job.MemoryLimit);
+  archive.Array(job.Mesh.Points);
+  archive.Array(job.Mesh.Triangles);
+  archive.Array(job.InitialMesh.Points);
+  archive.Array(job.InitialMesh.Triangles);
+  archive.Array(job.Contours.Points);
+  archive.Array(job.Contours.Edges);
+  archive.Array(job.InitialContours.Points);
+  archive.Array(job.InitialContours.Edges);
+}
+
+template <class Archive, class Input>
+void VisitInput(Archive& archive, Input& input)
+{
+  archive.Array(input.Points);
+  archive.Array(input.PointSources);
+  archive.Array(input.Facets);
+  archive.Array(input.FacetSources);
+  archive.Array(input.SignedMultiplicities);
+  archive.Array(input.Multiplicities);
+}
+
+template <class Archive, class Mesh>
+void VisitDecomposition(Archive& archive, Mesh& mesh)
+{
+  VisitInput(archive, mesh.Surface);
+  archive.Array(mesh.Cells);
+  archive.Array(mesh.Neighbors);
+  archive.Array(mesh.Constraints);
+  archive.Array(mesh.Kept);
+  VisitInput(archive, mesh.Unresolved);
+}
+
+/** The fields of a reply. */
+template <class Archive, class ReplyType>
+void VisitReply(Archive& archive, ReplyType& reply)
+{
+  archive.Array(reply.Error);
+  VisitDecomposition(archive, reply.Result);
+  VisitDecomposition(archive, reply.Plane);
+  archive.Array(reply.Strategy);
+  archive.Array(reply.Attempts);
+  archive.Array(reply.Limits);
+  archive.Value(reply.KeptDistance);
+  archive.Value(reply.PointsAdded);
+  archive.Value(reply.InteriorDropped);
+  archive.Value(reply.SolidMatters);
+  archive.Value(reply.SnapDistance);
+  archive.Value(reply.IntersectingPairs);
+  archive.Array(reply.StageSeconds);
+}
+
+} // namespace
+
+const char* StageName(Stage stage)
+{
+  static constexpr const char* names[NumberOfStages] = { "clean", "resolve", "tetrahedralize" };
+  return names[static_cast<int>(stage)];
+}
+
+void Write(std::ostream& out, const Job& job)
+{
+  Writer writer(out, JobMagic);
+  VisitJob(writer, job);
+}
+
+std::string Read(const char* data, std::size_t size, Job& job)
+{
+  Reader reader(data, size);
+  if (!reader.Magic(JobMagic))
+  {
+    return "this is not a job of this version of the program";
+  }
+  VisitJob(reader, job);
+  if (!reader.Complete())
+  {
+    return "the job is incomplete";
+  }
+  if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections &&
+    job.Kind != JobKind::Triangulate)
+  {
+    return "the job is of an unknown kind";
+  }
+  if (job.Initial != InitialApproximation::ConvexHull &&
+    job.Initial != InitialApproximation::BoundingBox && job.Initial != InitialApproximation::Custom)
+  {
+    return "the job wants an unknown initial approximation";
+  }
+  if (job.Conformity != Conformity::Exact && job.Conformity != Conformity::Enclosing &&
+    job.Conformity != Conformity::Auto)
+  {
+    return "the job wants an unknown conformity";
+  }
+  if (job.Solid != SolidRule::NonzeroWinding && job.Solid != SolidRule::EvenOdd &&
+    job.Solid != SolidRule::SurfaceOnly)
+  {
+    return "the job wants an unknown rule of what is solid";
+  }
+  if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
+    !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||
+    !IndicesWithin(job.Contours.Edges, 0, job.Contours.Points.size()) ||
+    !IndicesWithin(job.InitialContours.Edges, 0, job.InitialContours.Points.size()))
+  {
+    return "the job has a triangle or an edge with a vertex index out of range";
+  }
+  return {};
+}
+
+void Write(std::ostream& out, const Reply& reply)
+{
+  Writer writer(out, ReplyMagic);
+  VisitReply(writer, reply);
+}
+
+std::string Read(const char* data, std::size_t size, Reply& reply)
+{
+  Reader reader(data, size);
+  if (!reader.Magic(ReplyMagic))
+  {
+    return "this is not a reply of this version of the helper program";
+  }
+  VisitReply(reader, reply);
+  if (!reader.Complete() || reply.StageSeconds.size() != NumberOfStages)
+  {
+    return "the reply is incomplete";
+  }
+  const std::string mistake = FindMistake(reply.Result);
+  return mistake.empty() ? FindMistake(reply.Plane) : mistake;
+}
+
+std::string ProgressLine(Stage stage, double fraction)
+{
+  char line[64];
+  std::snprintf(line, sizeof(line), "@progress %d %.4f\n", static_cast<int>(stage), fraction);
+  return line;
+}
+
+bool ParseProgress(const std::string& line, Stage& stage, double& fraction)
+{
+  int number = -1;
+  if (std::sscanf(line.c_str(), "@progress %d %lf", &number, &fraction) != 2 || number < 0 ||
+    number >= NumberOfStages)
+  {
+    return false;
+  }
+  stage = static_cast<Stage>(number);
+  return true;
+}
+
+} // namespace carving

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solid/Classification.h"
+
+#include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/Fetch.h"
+#include "Core/Solid/Winding.h"
+#include "Core/Solid/WindingTree.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace carving
+{
+namespace
+{
+
+/** Fills the regions and marks as Void, for now, all that are enclosed. */
+template <int D>
+void FindRegions(const Decomposition<D>& mesh, Classification& result)
+{
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  result.RegionOfCell.assign(numberOfCells, -1);
+  if (!mesh.Kept.empty())
+  {
+    Region kept;
+    kept.Kind = RegionKind::Kept;
+    result.Regions.push_back(kept);
+    for (int cell = 0; cell < numberOfCells; ++cell)
+    {
+      result.RegionOfCell[cell] = mesh.Kept[cell] ? 0 : -1;
+    }
+  }
+  std::vector<int> stack;
+  for (int seed = 0; seed < numberOfCells; ++seed)
+  {
+    if (result.RegionOfCell[seed] >= 0)
+    {
+      continue;
+    }
+    const int region = static_cast<int>(result.Regions.size());
+    bool enclosed = true;
+    result.RegionOfCell[seed] = region;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const int cell = stack.back();
+      stack.pop_back();
+      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Constraints, mesh.Neighbors);
+      for (int f = 0; f <= D; ++f)
+      {
+        if (mesh.Constraints[cell][f] >= 0)
+        {
+          continue;
+        }
+        const int neighbor = mesh.Neighbors[cell][f];
+        if (neighbor < 0)
+        {
+          enclosed = false;
+        }
+        else if (result.RegionOfCell[neighbor] < 0)
+        {
+          result.RegionOfCell[neighbor] = region;
+          stack.push_back(neighbor);
+        }
+      }
+    }
+    Region found;
+    found.Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
+    result.Regions.push_back(found);
+  }
+}
+
+/** The largest cell of each enclosed region. */
+template <int D>
+std::vector<int> FindLargestCells(const Decomposition<D>& mesh, const Classification& result)
+{
+  std::vector<int> largestCells(result.Regions.size(), -1);
+  std::vector<double> largestSizes(result.Regions.size(), -1.0);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    if (result.Kind(cell) == RegionKind::Void)
+    {
+      const int region = result.RegionOfCell[cell];
+      const double size = Size(CornersOfCell(mesh, cell));
+      if (size > largestSizes[region])
+      {
+        largestSizes[region] = size;
+        largestCells[region] = cell;
+      }
+    }
+  }
+  return largestCells;
+}
+
+/** From one region into another through a triangle of M. */
+struct Crossing
+{
+  int Region;
+  int Winding; ///< by how much the winding number changes
+  int Count;   ///< how many triangles are crossed
+};
+
+/** The crossings out of each region; the last entry is the outside's. */
+template <int D>
+std::vector<std::vector<Crossing>> FindCrossings(
+  const Decomposition<D>& mesh, const Classification& result)
+{
+  const int outside = static_cast<int>(result.Regions.size());
+  std::vector<std::vector<Crossing>> crossings(outside + 1);
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    for (int f = 0; f <= D; ++f)
+    {
+      const int triangle = mesh.Constraints[cell][f];
+      if (triangle < 0)
+      {
+        continue;
+      }
+      const int neighbor = mesh.Neighbors[cell][f];
+      const int to = result.RegionOfCell[cell];
+      const int from = neighbor < 0 ? outside : result.RegionOfCell[neighbor];
+      const bool behind = SameDirection<D>(
+        mesh.OutwardFace(static_cast<int>(cell), f), mesh.Surface.Facets[triangle]);
+      const int winding = mesh.Surface.SignedMultiplicities[triangle];
+      crossings[from].push_back(
+        { to, behind ? winding : -winding, mesh.Surface.Multiplicities[triangle] });
+    }
+  }
+  return crossings;
+}
+
+/** All regions that are the outside or joined to it. */
+std::vector<int> FindOutside(const Classification& result)
+{
+  std::vector<int> outside = { static_cast<int>(result.Regions.size()) };
+  for (std::size_t region = 0; region < result.Regions.size(); ++region)
+  {
+    if (result.Regions[region].Kind == RegionKind::Outside)
+    {
+      outside.push_back(static_cast<int>(region));
+    }
+  }
+  return outside;
+}
+
+/** Winding numbers of a closed M: a walk from the outside adds up the triangles that it crosses. */
+template <int D>
+void CountWindings(const Decomposition<D>& mesh, Classification& result)
+{
+  const auto crossings = FindCrossings(mesh, result);
+  std::vector<int> stack = FindOutside(result);
+  std::vector<int> windings(crossings.size(), 0);
+  std::vector<char> known(crossings.size(), 0);
+  for (const int region : stack)
+  {
+    known[region] = 1;
+  }
+  while (!stack.empty())
+  {
+    const int from = stack.back();
+    stack.pop_back();
+    for (const Crossing& crossing : crossings[from])
+    {
+      if (!known[crossing.Region])
+      {
+        known[crossing.Region] = 1;
+        windings[crossing.Region] = windings[from] + crossing.Winding;
+        stack.push_back(crossing.Region);
+      }
+    }
+  }
+  for (std::size_t region = 0; region < result.Regions.size(); ++region)
+  {
+    result.Regions[region].Winding = windings[region];
+  }
+}
+
+// A winding number this far from an integer is a guess; from one half on it makes a region solid.
+constexpr double GuessedFrom = 0.1;
+constexpr double SolidFrom = 0.5;
+
+/** Winding numbers of any M: solid angles, at the centroid of a region's largest tetrahedron. */
+template <int D>
+void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
+{
+  const std::vector<int> largestCells = FindLargestCells(mesh, result);
+  std::function<double(const Point&)> windingNumber;
+  if constexpr (D == 3)
+  {
+    const ResolvedMesh& surface = mesh.Kept.empty() ? mesh.Surface : mesh.Unresolved;
+    windingNumber = [tree = WindingTree(surface)](const Point& p) {
+      return tree.Measure(p, { GuessedFrom, SolidFrom });
+    };
+  }
+  else
+  {
+    windingNumber = [&mesh](const Point& p) { return WindingNumber(mesh.Surface, p); };
+  }
+  for (std::size_t r = 0; r < result.Regions.size(); ++r)
+  {
+    Region& region = result.Regions[r];
+    if (region.Kind == RegionKind::Void)
+    {
+      region.Winding = windingNumber(mesh.Centroid(largestCells[r]));
+      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > GuessedFrom;
+    }
+  }
+}
+
+/** By parity: solid is what an odd number of triangles separates from the outside. */
+template <int D>
+void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
+{
+  // Dijkstra's shortest paths by the number of triangles crossed.
+  using Entry = std::pair<int, int>; // crossed so far, region
+  const auto crossings = FindCrossings(mesh, result);
+  std::vector<int> crossed(crossings.size(), std::numeric_limits<int>::max());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (const int region : FindOutside(result))
+  {
+    crossed[region] = 0;
+    queue.push({ 0, region });
+  }
+  while (!queue.empty())
+  {
+    const auto [distance, from] = queue.top();
+    queue.pop();
+    if (distance > crossed[from])
+    {
+      continue;
+    }
+    for (const Crossing& crossing : crossings[from])
+    {
+      const int through = distance + crossing.Count;
+      if (through < crossed[crossing.Region])
+      {
+        crossed[crossing.Region] = through;
+        queue.push({ through, crossing.Region });
+      }
+    }
+  }
+  for (std::size_t from = 0; from < crossings.size(); ++from)
+  {
+    for (const Crossing& crossing : crossings[from])
+    {
+      Region& region = result.Regions[crossing.Region];
+      const bool odd = crossed[crossing.Region] % 2 != 0;
+      if (region.Kind != RegionKind::Outside)
+      {
+        region.Kind = odd ? RegionKind::Solid : RegionKind::Void;
+        // Another way in has another parity.
+        region.Guessed = region.Guessed || ((crossed[from] + crossing.Count) % 2 != 0) != odd;
+      }
+    }
+  }
+}
+
+/** By parity where kept tetrahedra lie on the paths. */
+void ClassifyByRays(const Tetrahedralization& mesh, Classification& result)
+{
+  const std::vector<int> largestCells = FindLargestCells(mesh, result);
+  for (std::size_t r = 0; r < result.Regions.size(); ++r)
+  {
+    Region& region = result.Regions[r];
+    if (region.Kind == RegionKind::Void &&
+      CountCrossings(mesh.Unresolved, mesh.Centroid(largestCells[r])) % 2 != 0)
+    {
+      region.Kind = RegionKind::Solid;
+    }
+  }
+}
+
+template <int D>
+void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
+{
+  if (mesh.Kept.empty() && IsClosed(mesh.Surface))
+  {
+    CountWindings(mesh, result);
+  }
+  else
+  {
+    MeasureWindings(mesh, result);
+  }
+  for (Region& region : result.Regions)
+  {
+    if (region.Kind == RegionKind::Void && std::abs(region.Winding) >= SolidFrom)
+    {
+      region.Kind = RegionKind::Solid;
+    }
+  }
+}
+
+} // namespace
+
+template <int D>
+Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
+{
+  Classification result;
+  FindRegions(mesh, result);
+  switch (rule)
+  {
+    case SolidRule::NonzeroWinding:
+      ClassifyByWinding(mesh, result);
+      break;
+    case SolidRule::EvenOdd:
+      if constexpr (D == 3)
+      {
+        if (!mesh.Kept.empty())
+        {
+          ClassifyByRays(mesh, result);
+          break;
+        }
+      }
+      ClassifyByParity(mesh, result);
+      break;
+    case SolidRule::SurfaceOnly:
+      break; // nothing is solid
+  }
+  return result;
+}
+
+template Classification Classify<2>(const Decomposition<2>&, SolidRule);
+template Classification Classify<3>(const Decomposition<3>&, SolidRule);
+
+} // namespace carving

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The faces of a stored stream and the steps at which each is part of the approximation.
+ */
+#ifndef carving_Faces_h
+#define carving_Faces_h
+
+#include "Core/Mesh/Fetch.h"
+#include "Core/Stream/Ridges.h"
+#include "Core/Stream/StoredStream.h"
+
+#include <algorithm>
+
+namespace carving
+{
+
+/** A face that looks the same on every approximation C_j with Birth <= j < Death. */
+template <int D>
+struct FaceLife
+{
+  std::array<int, D> Corners; ///< oriented outward; of a fold, as M has it
+  int Constraint;             ///< the facet of M that it lies on, -1 if none
+  int Behind;                 ///< the half-face behind it, or Outside or Solid
+  bool Fold;                  ///< the exterior is on both sides
+  int Birth;
+  int Death;
+};
+
+/** The step at which the exterior comes to a half-face. */
+template <int D>
+int StepAt(const StoredStream<D>& stream, int halfFace)
+{
+  return halfFace == Outside ? 0
+    : halfFace == Solid      ? Stream::Never
+                             : stream.Order.Step[HalfFace<D>::Cell(halfFace)];
+}
+
+/**
+ * The half-face in front of a face, or Outside; or, on the approximations that do not show it, Solid.
+ */
+template <int D>
+int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
+{
+  if (face.Constraint >= 0)
+  {
+    const bool ownSide =
+      SameDirection<D>(face.Corners, stream.Mesh.Surface.Facets[face.Constraint]);
+    return stream.Sides[face.Constraint][ownSide ? 1 : 0];
+  }
+  return Across(stream.Mesh, face.Behind);
+}
+
+/**
+ * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation from C_first to
+ * C_last, first those of the carved surface, then those of M. A face of the carved surface shows while
+ * it has the exterior on one side only; a facet of M from the moment it has it on any side, and it
+ * changes into a fold when it has it on both.
+ */
+template <int D, class Visitor>
+void ForEachFace(
+  const StoredStream<D>& stream, Visitor&& visit, int first = 0, int last = Stream::Never)
+{
+  const Decomposition<D>& mesh = stream.Mesh;
+  const auto visitIfItShows = [&](const FaceLife<D>& face)
+  {
+    if (face.Birth < face.Death && face.Birth <= last && face.Death > first)
+    {
+      visit(face);
+    }
+  };
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    FetchAhead(mesh, cell, stream.Order.Step);
+    // A face belongs to the one of its cells that is carved later, and is behind it.
+    const int death = stream.Order.Step[cell];
+    if (death <= first)
+    {
+      continue;
+    }
+    for (int f = 0; f <= D; ++f)
+    {
+      const int neighbor = mesh.Neighbors[cell][f];
+      const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
+      // First what hardly any face of a single level gets past.
+      if (birth <= last && birth < death && mesh.Constraints[cell][f] < 0)
+      {
+        visit(FaceLife<D>{
+          mesh.OutwardFace(cell, f), -1, HalfFace<D>::Of(cell, f), false, birth, death });
+      }
+    }
+  }
+  for (int facet = 0; facet < static_cast<int>(stream.Sides.size()); ++facet)
+  {
+    const std::array<int, D>& corners = mesh.Surface.Facets[facet];
+    const auto [behind, inFront] = stream.Sides[facet];
+    const int stepBehind = StepAt(stream, behind);
+    const int stepInFront = StepAt(stream, inFront);
+    const int birth = std::min(stepBehind, stepInFront);
+    const int fold = std::max(stepBehind, stepInFront);
+    if (stepInFront <= stepBehind)
+    {
+      visitIfItShows({ corners, facet, behind, false, birth, fold });
+    }
+    else
+    {
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, false, birth, fold });
+    }
+    visitIfItShows({ corners, facet, behind, true, fold, Stream::Never });
+    if (stream.Folds == FoldSides::Both)
+    {
+      visitIfItShows({ Flipped<D>(corners), facet, inFront, true, fold, Stream::Never });
+    }
+  }
+}
+
+} // namespace carving
+
+#endif

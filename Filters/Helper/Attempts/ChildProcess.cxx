@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Attempts/ChildProcess.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace
+{
+
+constexpr int Failed = 3;
+constexpr int OutOfMemory = 4;
+
+double ToSeconds(const timeval& time)
+{
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+/** Its signal, SIGALRM or SIGPROF, ends the process. */
+void SetTimer(decltype(ITIMER_REAL) which, double seconds)
+{
+  const double counted = std::min(seconds, 1e9); // what the timer can count
+  const double whole = std::floor(counted);
+  itimerval timer = {};
+  timer.it_value.tv_sec = static_cast<time_t>(whole);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(999998.0 * (counted - whole)) + 1;
+  setitimer(which, &timer, nullptr);
+}
+
+/** What is left of the processor time that this process may take. */
+double ProcessorSecondsLeft()
+{
+  itimerval timer = {};
+  getitimer(ITIMER_PROF, &timer);
+  const double left = ToSeconds(timer.it_value);
+  return left > 0.0 ? left : HUGE_VAL;
+}
+
+void Limit(const Limits& limits, double processorSeconds)
+{
+  if (limits.Seconds > 0.0)
+  {
+    SetTimer(ITIMER_REAL, limits.Seconds);
+  }
+  if (processorSeconds < HUGE_VAL)
+  {
+    SetTimer(ITIMER_PROF, processorSeconds);
+  }
+  LimitMemory(limits.Mebibytes);
+}
+
+bool IsEndedBy(int signal, int status)
+{
+  return WIFSIGNALED(status) && WTERMSIG(status) == signal;
+}
+
+Ending Describe(int status, const Limits& limits)
+{
+  if (IsEndedBy(SIGALRM, status) || IsEndedBy(SIGPROF, status))
+  {
+    const bool byClock = IsEndedBy(SIGALRM, status);
+    char text[64];
+    std::snprintf(text, sizeof(text), "took longer than %g s%s",
+      byClock ? limits.Seconds : limits.ProcessorSeconds, byClock ? "" : " of processor time");
+    return { text, true };
+  }
+  if (IsEndedBy(SIGKILL, status)) // the system does that where memory runs out
+  {
+    return { "was killed", true };
+  }
+  if (WIFSIGNALED(status))
+  {
+    return { std::string("crashed (") + strsignal(WTERMSIG(status)) + ")" };
+  }
+  switch (WEXITSTATUS(status))
+  {
+    case 0:
+      return {};
+    case OutOfMemory:
+      return { "ran out of memory", true };
+    default:
+      return { "failed" };
+  }
+}
+
+/** A crash or a limit is to end it by a signal, which can be named, whatever the host does with those. */
+void LetSignalsEndThis()
+{
+  for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPROF })
+  {
+    std::signal(signal, SIG_DFL);
+  }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+} // namespace
+
+void LimitMemory(double mebibytes)
+{
+  if (mebibytes > 0.0)
+  {
+    const rlim_t bytes = static_cast<rlim_t>(std::min(mebibytes * 1024.0 * 1024.0, 1e18));
+    const rlimit limit = { bytes, bytes };
+    setrlimit(RLIMIT_AS, &limit);
+  }
+}
+
+Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work)
+{
+  std::fflush(nullptr);
+  std::cout.flush();
+  const double left = ProcessorSecondsLeft();
+  const double own = limits.ProcessorSeconds > 0.0 ? limits.ProcessorSeconds : HUGE_VAL;
+  const pid_t self = getpid();
+  const pid_t child = fork();
+  if (child < 0)
+  {
+    return { "could not be started: " + std::string(std::strerror(errno)), true };
+  }
+  if (child == 0)
+  {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != self)
+    {
+      _exit(Failed); // it died before it could have been a signal
+    }
+    LetSignalsEndThis();
+    Limit(limits, std::min(own, left));
+    int code = OutOfMemory;
+    try
+    {
+      code = work() ? 0 : Failed;
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
+    std::fflush(nullptr);
+    _exit(code); // destructors are the parent's
+  }
+  int status = 0;
+  rusage used = {};
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
+  {
+  }
+  if (left < HUGE_VAL)
+  {
+    const bool usedUp = left <= own && IsEndedBy(SIGPROF, status);
+    const double rest = left - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
+    if (usedUp || rest <= 0.0)
+    {
+      std::raise(SIGPROF); // as this process's timer would
+    }
+    SetTimer(ITIMER_PROF, rest);
+  }
+  return Describe(status, limits);
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Attempts/Patience.h"
+
+using namespace carving;
+
+namespace
+{
+
+/**
+ * Seconds enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles, a hundred
+ * times that where it puts points on them, and for ever where it never ends to.
+ */
+double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
+{
+  const double patience = surfacePoints == SurfacePoints::None
+    ? 5.0 + 1e-4 * static_cast<double>(numberOfFacets)
+    : 3.0 + 5e-4 * static_cast<double>(numberOfFacets);
+  return job.Conformity == Conformity::Auto ? patience : 6.0 * patience;
+}
+
+} // namespace
+
+Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
+{
+  Limits limits = LimitsOfEnclosing(job);
+  if (job.TimeLimit <= 0.0)
+  {
+    limits.ProcessorSeconds = PatienceOfAttempt(job, surfacePoints, numberOfFacets);
+  }
+  return limits;
+}
+
+Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
+{
+  Limits limits;
+  limits.Mebibytes = job.MemoryLimit;
+  if (job.Conformity == Conformity::Auto)
+  {
+    limits.ProcessorSeconds = 50.0 + 1.5e-4 * static_cast<double>(numberOfFacets);
+  }
+  return limits;
+}
+
+Limits LimitsOfEnclosing(const Job& job)
+{
+  Limits limits;
+  limits.Seconds = job.TimeLimit;
+  limits.Mebibytes = job.MemoryLimit;
+  return limits;
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * A Delaunay tetrahedralization that knows which parts of M pierce its tetrahedra or lie on their faces.
+ */
+#ifndef carving_PiercedMesh_h
+#define carving_PiercedMesh_h
+
+#include "Helper/Enclosing/Contacts.h"
+#include "Helper/Enclosing/Subdivision.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <functional>
+#include <vector>
+
+class PiercedMesh
+{
+public:
+  struct VertexInfo
+  {
+    int Index = -1;
+    unsigned LastWalk = 0; ///< that came by
+  };
+  using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Inexact>;
+  using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellContacts, Inexact,
+    CGAL::Delaunay_triangulation_cell_base_3<Inexact>>;
+  using Delaunay = CGAL::Delaunay_triangulation_3<Inexact,
+    CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+  using Cell = Delaunay::Cell_handle;
+  using Vertex = Delaunay::Vertex_handle;
+
+  /** Of the points of `input`, which may cross itself, and `further` ones; not all in one plane. */
+  PiercedMesh(const carving::ResolvedMesh& input, const std::vector<carving::Point>& further,
+    const std::function<bool(double)>& progress);
+
+  /**
+   * Put a point at p, on a part, on an edge of parts, or on none but within the hull, best near a cell;
+   * false: there is a vertex already, or it is outside.
+   */
+  bool PutOnPart(int part, const carving::Point& p);
+  bool PutOnEdge(int a, int b, const carving::Point& p);
+  bool PutAside(const carving::Point& p, const Cell& near);
+
+  /** Lets a part that crosses tetrahedra by a rounding take their faces; returns whether it could. */
+  bool TakeFaces(int part);
+
+  const Delaunay& GetDelaunay() const
+  {
+    return this->Mesh;
+  }
+  const Subdivision& GetParts() const
+  {
+    return this->Parts;
+  }
+  Vertex GetVertex(int i) const
+  {
+    return this->Vertices[i];
+  }
+  Corners3 CornersOf(int part) const;
+
+private:
+  bool Put(const carving::Point& p, const Cell& near, bool outsideToo,
+    const std::function<Subdivision::Change(int)>& split);
+  void Insert(int vertex, const Cell& start);
+  bool Meet(int part, const Piercer& piercer, const Cell& cell);
+  void Place(int part);
+  bool PlaceOnFace(int part);
+  void Forget(int part);
+  void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
+  template <class Visit>
+  void Walk(int part, const Piercer& piercer, const Visit& visit);
+  void PushStar(const Vertex& v, std::vector<Cell>& stack);
+  void Push(const Cell& cell, std::vector<Cell>& stack);
+
+  Subdivision Parts;
+  Delaunay Mesh;
+  std::vector<Vertex> Vertices;
+  unsigned NumberOfWalks = 0;
+  std::vector<Cell> Star, Stack; ///< of the last walk, for their memory
+};
+
+/** The corners of face f of a cell, counter-clockwise as seen from outside. */
+Corners3 FaceOf(const PiercedMesh::Cell& cell, int f);
+
+inline carving::Point ToPoint(const Inexact::Point_3& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Enclosing/SurfaceDistance.h"
+
+#include "Core/Mesh/Vector.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <vector>
+
+using namespace carving;
+
+namespace
+{
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Corners = SurfaceDistance::Corners;
+
+Kernel::Point_3 ToKernel(const Point& p)
+{
+  return { p[0], p[1], p[2] };
+}
+
+Point Middle(const Point& a, const Point& b)
+{
+  return { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 };
+}
+
+Point Centroid(const Corners& t)
+{
+  Point sum = {};
+  for (int i = 0; i < 3; ++i)
+  {
+    sum[i] = (t[0][i] + t[1][i] + t[2][i]) / 3.0;
+  }
+  return sum;
+}
+
+constexpr double Accuracy = 0.05;
+
+double RadiusAround(const Point& centroid, const Corners& t)
+{
+  double radius = 0.0;
+  for (const Point& corner : t)
+  {
+    radius = std::max(radius, Length(corner - centroid));
+  }
+  return radius;
+}
+
+void PushQuarters(const Corners& t, std::vector<Corners>& stack)
+{
+  const Point a = Middle(t[1], t[2]), b = Middle(t[2], t[0]), c = Middle(t[0], t[1]);
+  stack.push_back({ t[0], c, b });
+  stack.push_back({ t[1], a, c });
+  stack.push_back({ t[2], b, a });
+  stack.push_back({ a, b, c });
+}
+
+} // namespace
+
+struct SurfaceDistance::Tree
+{
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+
+  /** Looks for a triangle within a distance of a point: for any one, or for the nearest. */
+  struct Search
+  {
+    double SquaredDistance;
+    bool ForNearest;
+    const Kernel::Triangle_3* Found = nullptr;
+
+    bool go_further() const
+    {
+      return this->ForNearest || this->Found == nullptr;
+    }
+    void intersection(const Kernel::Point_3& p, const Primitive& primitive)
+    {
+      const Kernel::Triangle_3& triangle = *primitive.id();
+      const double squared = CGAL::squared_distance(p, triangle);
+      if (squared <= this->SquaredDistance)
+      {
+        this->Found = &triangle;
+        this->SquaredDistance = this->ForNearest ? squared : this->SquaredDistance;
+      }
+    }
+    bool do_intersect(const Kernel::Point_3& p, const CGAL::AABB_node<Traits>& node) const
+    {
+      double squared = 0.0;
+      for (int i = 0; i < 3; ++i)
+      {
+        const double beyond =
+          std::max({ node.bbox().min(i) - p[i], p[i] - node.bbox().max(i), 0.0 });
+        squared += beyond * beyond;
+      }
+      return squared <= this->SquaredDistance;
+    }
+  };
+
+  Triangles All;
+  CGAL::AABB_tree<Traits> Boxes;
+  const Kernel::Triangle_3* Last = nullptr; ///< found last; what is asked next is often near it too
+
+  bool HasWithin(const Point& point, double distance)
+  {
+    const Kernel::Point_3 p = ToKernel(point);
+    if (distance <= 0.0)
+    {
+      return false;
+    }
+    if (CGAL::squared_distance(p, *this->Last) <= distance * distance)
+    {
+      return true;
+    }
+    Search search = { distance * distance, false };
+    this->Boxes.traversal(p, search);
+    this->Last = search.Found ? search.Found : this->Last;
+    return search.Found != nullptr;
+  }
+
+  double Distance(const Point& point)
+  {
+    const Kernel::Point_3 p = ToKernel(point);
+    Search search = { CGAL::squared_distance(p, *this->Last), true };
+    this->Boxes.traversal(p, search);
+    this->Last = search.Found ? search.Found : this->Last;
+    return std::sqrt(search.SquaredDistance);
+  }
+
+  /** Whether the triangle found last has all of `t` within a distance, which is convex around it. */
+  bool LastHasWithin(const Corners& t, double distance) const
+  {
+    return std::all_of(t.begin(), t.end(),
+      [&](const Point& p)
+      { return CGAL::squared_distance(ToKernel(p), *this->Last) <= distance * distance; });
+  }
+};
+
+SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
+  : Locator(std::make_unique<Tree>())
+{
+  for (const auto& [a, b, c] : surface.Facets)
+  {
+    this->Locator->All.emplace_back(
+      ToKernel(surface.Points[a]), ToKernel(surface.Points[b]), ToKernel(surface.Points[c]));
+  }
+  this->Locator->Last = &this->Locator->All.front();
+  this->Locator->Boxes.rebuild(this->Locator->All.cbegin(), this->Locator->All.cend());
+}
+
+SurfaceDistance::~SurfaceDistance() = default;
+
+// A distance changes by no more than one moves: what it is at the centroid bounds it everywhere. And from
+// one triangle it is nowhere on another more than at the corners of that.
+
+bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
+{
+  std::vector<Corners> stack = { triangle };
+  while (!stack.empty())
+  {
+    const Corners t = stack.back();
+    stack.pop_back();
+    const Point centroid = Centroid(t);
+    const double radius = RadiusAround(centroid, t);
+    if (!this->Locator->HasWithin(centroid, distance))
+    {
+      return false;
+    }
+    if (radius > Accuracy * distance && !this->Locator->LastHasWithin(t, distance) &&
+      !this->Locator->HasWithin(centroid, distance - radius))
+    {
+      PushQuarters(t, stack);
+    }
+  }
+  return true;
+}
+
+double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
+{
+  double farthest = atLeast;
+  std::vector<Corners> stack = { triangle };
+  while (!stack.empty())
+  {
+    const Corners t = stack.back();
+    stack.pop_back();
+    const Point centroid = Centroid(t);
+    const double radius = RadiusAround(centroid, t);
+    if (this->Locator->LastHasWithin(t, (1.0 + Accuracy) * farthest) ||
+      this->Locator->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
+    {
+      continue; // found sooner than what is nearest
+    }
+    const double distance = this->Locator->Distance(centroid);
+    farthest = std::max(farthest, distance);
+    const double limit = (1.0 + Accuracy) * farthest;
+    if (distance + radius > limit && !this->Locator->LastHasWithin(t, limit))
+    {
+      PushQuarters(t, stack);
+    }
+  }
+  return farthest;
+}

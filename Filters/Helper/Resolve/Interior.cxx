@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Resolve/Interior.h"
+
+#include "Core/Mesh/Vector.h"
+#include "Core/Solid/Winding.h"
+#include "Core/Solid/WindingTree.h"
+#include "Helper/Resolve/Clean.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace carving;
+
+namespace
+{
+
+/** The winding numbers on both sides of a facet. */
+struct Sides
+{
+  int Front = 0;
+  int Behind = 0;
+};
+
+/** A way from a facet to another across an edge that no third one has. */
+struct Way
+{
+  int To = -1;
+  bool Turned = false; ///< the other's front is behind this one
+};
+
+using Ways = std::array<Way, 3>;
+
+std::vector<Ways> FindWays(const ResolvedMesh& mesh)
+{
+  struct Use
+  {
+    std::array<int, 2> Edge;
+    int Facet;
+    int Place;
+    bool Ascending;
+  };
+  std::vector<Use> uses;
+  for (std::size_t f = 0; f < mesh.Facets.size(); ++f)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = mesh.Facets[f][i], b = mesh.Facets[f][(i + 1) % 3];
+      uses.push_back({ { std::min(a, b), std::max(a, b) }, static_cast<int>(f), i, a < b });
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+    [](const Use& a, const Use& b)
+    { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Facet < b.Facet; });
+  std::vector<Ways> ways(mesh.Facets.size());
+  for (std::size_t first = 0, last = 0; first < uses.size(); first = last)
+  {
+    while (last < uses.size() && uses[last].Edge == uses[first].Edge)
+    {
+      ++last;
+    }
+    if (last - first == 2)
+    {
+      const Use &a = uses[first], &b = uses[first + 1];
+      const bool turned = a.Ascending == b.Ascending;
+      ways[a.Facet][a.Place] = { b.Facet, turned };
+      ways[b.Facet][b.Place] = { a.Facet, turned };
+    }
+  }
+  return ways;
+}
+
+/** The area over the longest edge: how far one can be from all edges, about. */
+double Width(const ResolvedMesh& mesh, int facet)
+{
+  const auto& [a, b, c] = mesh.Facets[facet];
+  const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
+  return Length(Cross(q - p, r - p)) / std::max({ Length(q - p), Length(r - q), Length(p - r) });
+}
+
+/** A point just in front of a facet. */
+Point PointInFront(const ResolvedMesh& mesh, int facet)
+{
+  constexpr double Near = 1e-5;
+  const auto& [a, b, c] = mesh.Facets[facet];
+  const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
+  const Point normal = Cross(q - p, r - p);
+  const double step = Near * Width(mesh, facet) / Length(normal);
+  Point result;
+  for (int i = 0; i < 3; ++i)
+  {
+    result[i] = (p[i] + q[i] + r[i]) / 3.0 + step * normal[i];
+  }
+  return result;
+}
+
+/** All that is joined with a facet by ways, that facet first. */
+std::vector<int> Patch(int seed, const std::vector<Ways>& ways, std::vector<char>& reached)
+{
+  std::vector<int> patch = { seed };
+  reached[seed] = 1;
+  for (std::size_t i = 0; i < patch.size(); ++i)
+  {
+    for (const Way& way : ways[patch[i]])
+    {
+      if (way.To >= 0 && !reached[way.To])
+      {
+        reached[way.To] = 1;
+        patch.push_back(way.To);
+      }
+    }
+  }
+  return patch;
+}
+
+/**
+ * One winding number per patch, at its widest facet, is enough: on a way from facet to facet neither
+ * side's changes. Returns false where it is not near an integer.
+ */
+bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
+{
+  constexpr double Ambiguous = 0.1;
+  const std::vector<Ways> ways = FindWays(mesh);
+  const WindingTree tree(mesh);
+  sides.resize(mesh.Facets.size());
+  std::vector<char> reached(mesh.Facets.size(), 0), known(mesh.Facets.size(), 0);
+  for (int seed = 0; seed < static_cast<int>(mesh.Facets.size()); ++seed)
+  {
+    if (reached[seed])
+    {
+      continue;
+    }
+    const std::vector<int> patch = Patch(seed, ways, reached);
+    const int widest = *std::max_element(
+      patch.begin(), patch.end(), [&](int a, int b) { return Width(mesh, a) < Width(mesh, b); });
+    const double winding = tree.Measure(PointInFront(mesh, widest), { Ambiguous });
+    const int front = static_cast<int>(std::round(winding));
+    if (!(std::abs(winding - front) <= Ambiguous))
+    {
+      return false;
+    }
+    sides[widest] = { front, front + mesh.SignedMultiplicities[widest] };
+    for (const int facet : Patch(widest, ways, known))
+    {
+      for (const Way& way : ways[facet])
+      {
+        if (way.To >= 0)
+        {
+          const Sides& s = sides[facet];
+          sides[way.To] = way.Turned ? Sides{ s.Behind, s.Front } : s;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+bool IsSolid(SolidRule rule, int winding)
+{
+  return rule == SolidRule::EvenOdd ? winding % 2 != 0 : winding != 0;
+}
+
+} // namespace
+
+int DropInterior(SolidRule rule, ResolvedMesh& mesh)
+{
+  std::vector<Sides> sides;
+  if (rule == SolidRule::SurfaceOnly || !IsClosed(mesh) || !MeasureSides(mesh, sides))
+  {
+    return 0;
+  }
+  ResolvedMesh boundary;
+  boundary.Points = mesh.Points;
+  boundary.PointSources = mesh.PointSources;
+  for (std::size_t f = 0; f < mesh.Facets.size(); ++f)
+  {
+    const bool front = IsSolid(rule, sides[f].Front), behind = IsSolid(rule, sides[f].Behind);
+    if (!front || !behind)
+    {
+      AppendFacet<3>(mesh, f, mesh.Facets[f], boundary);
+      boundary.SignedMultiplicities.back() = behind - front;
+      boundary.Multiplicities.back() = behind == front ? 2 : 1;
+    }
+  }
+  const std::size_t dropped = mesh.Facets.size() - boundary.Facets.size();
+  if (dropped == 0 || !IsClosed(boundary)) // else some side has been taken for another
+  {
+    return 0;
+  }
+  mesh = Clean(boundary);
+  return static_cast<int>(dropped);
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Resolve/Resolve.h"
+
+#include "Core/Mesh/DisjointSets.h"
+#include "Helper/Base/Kernels.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/CoplanarGroup.h"
+#include "Helper/Resolve/Intersections.h"
+
+#include <algorithm>
+
+using namespace carving;
+
+namespace
+{
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
+{
+  const auto& [p, q, r] = mesh.Facets[a];
+  const Triangle& others = mesh.Facets[b];
+  return std::all_of(others.begin(), others.end(),
+    [&, p = p, q = q, r = r](int x)
+    {
+      return CGAL::coplanar(ToInexact(mesh.Points[p]), ToInexact(mesh.Points[q]),
+        ToInexact(mesh.Points[r]), ToInexact(mesh.Points[x]));
+    });
+}
+
+/** Triangles that meet others, in groups, and for every triangle its group; -1: none. */
+struct Grouping
+{
+  std::vector<CoplanarGroup> Groups;
+  std::vector<int> GroupOf;
+};
+
+/** Pairs in one plane get into one group; they are taken out of `pairs`. */
+Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
+{
+  const int count = static_cast<int>(mesh.Facets.size());
+  std::vector<char> meets(count, 0);
+  DisjointSets sets(count);
+  const auto unite = [&](const std::pair<int, int>& pair)
+  {
+    const auto& [a, b] = pair;
+    meets[a] = meets[b] = 1;
+    const bool coplanar = AreCoplanar(mesh, a, b);
+    if (coplanar)
+    {
+      sets.Unite(a, b);
+    }
+    return coplanar;
+  };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), unite), pairs.end());
+  Grouping result;
+  result.GroupOf.assign(count, -1);
+  for (int i = 0; i < count; ++i)
+  {
+    if (meets[i])
+    {
+      const int first = sets.Find(i);
+      if (first == i)
+      {
+        result.GroupOf[i] = static_cast<int>(result.Groups.size());
+        result.Groups.emplace_back();
+      }
+      result.GroupOf[i] = result.GroupOf[first];
+      result.Groups[result.GroupOf[i]].Triangles.push_back(i);
+    }
+  }
+  return result;
+}
+
+/** One round: the triangles in pieces. */
+ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progress)
+{
+  Grouping grouping = FindGroups(mesh, pairs);
+  CutPoints cutPoints(mesh);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    GoOn(progress, 0.5 * i / pairs.size());
+    const auto& [a, b] = pairs[i];
+    const std::array<int, 2> common = cutPoints.Intersect(a, b);
+    for (const int triangle : { a, b })
+    {
+      grouping.Groups[grouping.GroupOf[triangle]].Cuts.push_back(common);
+    }
+  }
+  ResolvedMesh result;
+  result.Points = mesh.Points;
+  result.PointSources = mesh.PointSources;
+  cutPoints.AppendRounded(result);
+  const int count = static_cast<int>(mesh.Facets.size());
+  for (int i = 0; i < count; ++i)
+  {
+    GoOn(progress, 0.5 + 0.5 * i / count);
+    const int group = grouping.GroupOf[i];
+    if (group < 0)
+    {
+      AppendFacet<3>(mesh, i, mesh.Facets[i], result);
+    }
+    else if (grouping.Groups[group].Triangles.front() == i)
+    {
+      AppendPieces(mesh, cutPoints, grouping.Groups[group], result);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+std::string Resolve(
+  ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
+{
+  // Nearly every mesh is clean after one round; the limits end those that rounding keeps dirty.
+  constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  const std::size_t given = pairs.size();
+  intersectingPairs = static_cast<int>(given);
+  if (static_cast<double>(pairs.size()) > maximumPairs)
+  {
+    return std::to_string(pairs.size()) +
+      " pairs of triangles cross each other: resolving them would multiply the mesh.";
+  }
+  int explosions = 0;
+  for (int round = 0; !pairs.empty(); ++round)
+  {
+    if (round == maximumRounds || explosions == maximumExplosions)
+    {
+      return "After " + std::to_string(round) + " rounds of splitting, " +
+        std::to_string(pairs.size()) +
+        " pairs of triangles still cross each other: the mesh is too intricate for double "
+        "precision.";
+    }
+    const std::size_t before = pairs.size();
+    mesh = Clean(Split(mesh, std::move(pairs), progress));
+    pairs = FindIntersections(mesh.Points, mesh.Facets);
+    const bool explodes = pairs.size() > std::max(2 * before, given);
+    explosions = explodes ? explosions + 1 : 0;
+  }
+  return {};
+}

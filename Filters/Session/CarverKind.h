@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * What differs between carving meshes (D = 3) and contours in a plane (D = 2).
+ */
+#ifndef CarverKind_h
+#define CarverKind_h
+
+#include "Convert/CarverInput.h"
+#include "Convert/ContourInput.h"
+#include "Core/Protocol/Protocol.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+template <int D>
+struct Kind;
+
+template <>
+struct Kind<3>
+{
+  using Input = CarverInput;
+  static std::string GatherInitial(vtkPolyData* initial, const Input&, Input& gathered)
+  {
+    return gathered.Gather(initial);
+  }
+  static const carving::Decomposition<3>& GetResult(const carving::Reply& reply)
+  {
+    return reply.Result;
+  }
+  static void Fill(carving::Job& job, Input& input, Input& initial)
+  {
+    job.Kind = carving::JobKind::Tetrahedralize;
+    job.Mesh = std::move(input.Mesh);
+    job.InitialMesh = std::move(initial.Mesh);
+  }
+  static void Restore(const Input&, std::vector<carving::Point>&)
+  {
+  }
+};
+
+template <>
+struct Kind<2>
+{
+  using Input = ContourInput;
+  static std::string GatherInitial(vtkPolyData* initial, const Input& input, Input& gathered)
+  {
+    return gathered.GatherInPlaneOf(input, initial);
+  }
+  static const carving::Decomposition<2>& GetResult(const carving::Reply& reply)
+  {
+    return reply.Plane;
+  }
+  static void Fill(carving::Job& job, Input& input, Input& initial)
+  {
+    job.Kind = carving::JobKind::Triangulate;
+    job.Contours = std::move(input.Contours);
+    job.InitialContours = std::move(initial.Contours);
+  }
+  static void Restore(const Input& input, std::vector<carving::Point>& points)
+  {
+    input.Restore(points);
+  }
+};
+
+#endif

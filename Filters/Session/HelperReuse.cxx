@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/HelperReuse.h"
+
+using carving::Conformity;
+
+namespace
+{
+
+/** Whether the attempts would run, fail and succeed as they did. */
+bool AttemptsAlike(
+  const carving::Reply& reply, const HelperSettings& before, const HelperSettings& now)
+{
+  const bool enclosed = !reply.Result.Kept.empty();
+  const bool snapped = reply.SnapDistance > 0.0;
+  const bool unlimited = reply.Limits.empty(); // no attempt has reached a limit
+  if (now.Conformity != before.Conformity)
+  {
+    // EXACT has the same attempts as AUTO, with more patience.
+    if (enclosed || !unlimited || before.Conformity == Conformity::Enclosing ||
+      now.Conformity != Conformity::Exact)
+    {
+      return false;
+    }
+  }
+  if (now.EnclosingTolerance != before.EnclosingTolerance && enclosed)
+  {
+    return false;
+  }
+  // Snapping comes after all that is exact, and before enclosing.
+  const bool snappingMatters = snapped || (enclosed && now.Conformity != Conformity::Enclosing);
+  if (now.SnapTolerance != before.SnapTolerance && snappingMatters)
+  {
+    return false;
+  }
+  if (now.Solid != before.Solid && reply.SolidMatters != 0)
+  {
+    return false;
+  }
+  // A time limit of 0 stands for a limit that depends on the mesh.
+  const bool moreTime = before.TimeLimit > 0.0 && now.TimeLimit > before.TimeLimit;
+  return now.TimeLimit == before.TimeLimit || (moreTime && unlimited);
+}
+
+} // namespace
+
+bool WouldAnswerAlike(const carving::Reply& reply, const HelperSettings& before,
+  const HelperSettings& now, int dimension)
+{
+  const bool moreMemory =
+    before.MemoryLimit > 0.0 && (now.MemoryLimit == 0.0 || now.MemoryLimit > before.MemoryLimit);
+  const bool memoryAlike =
+    now.MemoryLimit == before.MemoryLimit || (moreMemory && reply.Limits.empty());
+  return now.Initial == before.Initial && memoryAlike &&
+    (dimension == 2 || AttemptsAlike(reply, before, now));
+}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Carving.h"
+#include "Core/Carving/Carver.h"
 
 #include "Core/Measure/StreamTopology.h"
 

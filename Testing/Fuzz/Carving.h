@@ -8,6 +8,7 @@
 
 #include "Bytes.h"
 #include "Core/Measure/LevelSelection.h"
+#include "Core/Mesh/BettiNumbers.h"
 #include "Core/Stream/StoredStream.h"
 
 template <int D>

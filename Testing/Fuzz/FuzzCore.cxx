@@ -4,8 +4,8 @@
  * Fuzz target: carves small decompositions by every rule, and holds what comes out against what must be.
  */
 #include "Carving.h"
+#include "Chain.h"
 #include "Core/Mesh/Validity.h"
-#include "Core/Stream/Chain.h"
 #include "Core/Stream/Level.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"

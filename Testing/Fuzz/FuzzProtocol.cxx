@@ -5,6 +5,7 @@
  * it was, and a reply can be carved.
  */
 #include "Carving.h"
+#include "Core/Carving/Carver.h"
 #include "Core/Protocol/Protocol.h"
 #include "Core/Stream/Level.h"
 #include "Core/Surface/Manifold.h"

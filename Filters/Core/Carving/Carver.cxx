@@ -21,14 +21,15 @@ bool IsToBeCarved(RegionKind kind, const CarveOptions& options)
   return kind == RegionKind::Outside || (kind == RegionKind::Void && options.CarveVoids);
 }
 
-/** What carving needs to know of a cell, in one place: it goes from cell to cell all over memory. */
+/** The data of a cell, in one place: carving accesses cells in random order. */
 template <int D>
 struct State
 {
-  typename Decomposition<D>::Cell Next; ///< the neighbors that carving exposes a face of, or -1
+  typename Decomposition<D>::Cell
+    Next; ///< per face: the neighbor that carving this cell exposes, or -1
   int Step = Stream::Never;
   int Degree = 0;
-  double Priority; ///< until it becomes carvable, without regard to depth
+  double Priority; ///< the measure alone until the cell becomes carvable, then equation (2)
   double Depth = 0.0;
 };
 
@@ -134,7 +135,7 @@ private:
     }
   }
 
-  /** What never went has neither a priority nor a depth. */
+  /** Cells that stay have neither a priority nor a depth. */
   void Write()
   {
     this->Out.Step.clear();
@@ -152,7 +153,7 @@ private:
     }
   }
 
-  /** Has the processor fetch a cell that will be needed soon. */
+  /** Prefetches a cell that will be needed soon. */
   void Fetch(int cell) const
   {
     __builtin_prefetch(&this->Cells[cell]);
@@ -170,25 +171,25 @@ private:
     }
   }
 
-  /** The given depth, or the one in the hierarchy. */
+  /** The given depth, or the level in the hierarchy. */
   double ComputeDepth(int cell, double hierarchical) const
   {
     return this->Options.Depths.empty() ? hierarchical : this->Options.Depths[cell];
   }
 
-  /** Equation (2); finite, also where the power is not, and 0 for a measure of 0. */
+  /** Equation (2). Finite even if the power is not; 0 for a measure of 0. */
   double ComputePriority(int cell, double depth) const
   {
     const double measure = this->Cells[cell].Priority;
     const double exponent = this->Options.DepthExponent;
     if (exponent == 0.0 || measure == 0.0)
     {
-      return measure; // 0 must not be multiplied by the power, which may be infinite
+      return measure; // never 0 times a power, which may be infinite
     }
     return std::min(measure * std::pow(depth, -exponent), std::numeric_limits<double>::max());
   }
 
-  /** One more face of the cell adjoins the exterior. */
+  /** Increments the degree of a cell, which becomes carvable with its first exterior face. */
   void Expose(int cell, double hierarchicalDepth)
   {
     State<D>& state = this->Cells[cell];
@@ -200,15 +201,15 @@ private:
     }
   }
 
-  /** Of what can be carved, in the queue and put aside, the one with the highest priority. */
+  /** The carvable cell with the highest priority, from the queue or from the deferred cells. */
   bool PopNext(Candidate& next)
   {
     for (;;)
     {
-      const Candidate* aside = this->Limits ? this->Limits->GetBest() : nullptr;
-      if (aside && (this->Queue.empty() || this->Queue.top() < *aside))
+      const Candidate* deferred = this->Limits ? this->Limits->GetBest() : nullptr;
+      if (deferred && (this->Queue.empty() || this->Queue.top() < *deferred))
       {
-        next = *aside;
+        next = *deferred;
         this->Limits->PopBest();
         return true;
       }
@@ -219,7 +220,7 @@ private:
       next = this->Queue.top();
       this->Queue.pop();
       this->FetchTop();
-      // Others have been carved along with another one, or put aside since.
+      // The other entries are out of date: their cells have been carved in another's step, or deferred.
       if (this->Cells[next.Cell].Step == Stream::Never && !this->IsDeferred(next.Cell))
       {
         return true;
@@ -232,7 +233,7 @@ private:
     return this->Limits && this->Limits->IsDeferred(cell);
   }
 
-  /** Carves the cell, unless that would exceed the budget. */
+  /** Carves the cell unless that would exceed the budget. */
   bool Take(int cell, int step)
   {
     if (this->Limits && !this->Admit(cell))
@@ -245,7 +246,7 @@ private:
 
   bool Admit(int cell)
   {
-    // What is aside has been looked at since its neighborhood changed.
+    // A deferred cell has been examined since its neighborhood last changed.
     if (this->IsDeferred(cell) || !this->Limits->Admit({ this->Cells[cell].Priority, cell }))
     {
       return false;
@@ -258,7 +259,7 @@ private:
     return true;
   }
 
-  /** Calls `visit` with every tetrahedron that carving the cell exposes one more face of. */
+  /** Calls `visit` with every remaining neighbor of which carving the cell exposes a face. */
   template <class Visitor>
   void ForEachCarvableNeighbor(int cell, Visitor&& visit)
   {
@@ -271,7 +272,7 @@ private:
     }
   }
 
-  /** Carves from the popped tetrahedron outward to the radius; `taken` grows while it is walked. */
+  /** Carves from the popped cell outward to the breadth radius (section 5.4). Appends to `taken`. */
   void WalkBreadth(int step, std::vector<int>& taken)
   {
     const double radius = this->Options.BreadthRadius;
@@ -280,7 +281,7 @@ private:
     {
       for (const int neighbor : this->Cells[taken[i]].Next)
       {
-        this->Fetch(std::max(neighbor, 0)); // all at once, before they are waited for one by one
+        this->Fetch(std::max(neighbor, 0)); // all four, before the first access waits
       }
       this->ForEachCarvableNeighbor(taken[i],
         [&](int neighbor)
@@ -295,7 +296,7 @@ private:
     }
   }
 
-  /** Carves what `taken` exposed, and what that exposes in turn. */
+  /** Carves the cells that `taken` exposes, and those exposed by these in turn (section 3.4). Appends to `taken`. */
   void CascadeExposed(int step, std::vector<int>& taken)
   {
     const std::size_t walked = taken.size();
@@ -304,7 +305,7 @@ private:
       this->ForEachCarvableNeighbor(taken[i],
         [&](int neighbor)
         {
-          if (i >= walked) // the walk has counted the faces of its own neighbors
+          if (i >= walked) // the breadth walk has counted the faces of its neighbors
           {
             this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
           }
@@ -313,7 +314,7 @@ private:
             taken.push_back(neighbor);
           }
         });
-      // Exposed already, but not to be had until now.
+      // Cells that were exposed before and have been requeued by the budget.
       for (std::size_t j = 0; j < this->Requeued.size(); ++j)
       {
         const int cell = this->Requeued[j];
@@ -333,8 +334,8 @@ private:
   Stream& Out;
   std::vector<State<D>> Cells;
   std::priority_queue<Candidate> Queue;
-  std::unique_ptr<Budget<D>> Limits; ///< null if there are none
-  std::vector<int> Requeued;         ///< in this step, of those put aside
+  std::unique_ptr<Budget<D>> Limits; ///< null without a budget
+  std::vector<int> Requeued;         ///< deferred cells that returned to the queue in this step
   int NumberToCarve = 0;
 };
 

@@ -26,14 +26,14 @@ double LongestEdge(const CellCorners<D>& p)
   return std::sqrt(longest);
 }
 
-/** The length that a volume or an area stands for. */
+/** The edge of a cube of this volume, or of a square of this area. */
 template <int D>
 double SizeAsLength(double size)
 {
   return D == 3 ? std::cbrt(size) : std::sqrt(size);
 }
 
-/** Not finite for flat cells. */
+/** Not finite for a flat cell. */
 double Circumradius(const CellCorners<3>& p)
 {
   const Point a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
@@ -73,7 +73,7 @@ std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeas
       case PriorityMeasure::Circumradius:
       {
         const double radius = Circumradius(p);
-        priorities[cell] = radius < diagonal ? radius : diagonal; // which NaN becomes too
+        priorities[cell] = radius < diagonal ? radius : diagonal; // NaN becomes the diagonal, too
         break;
       }
       case PriorityMeasure::EdgeVolume:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much a cell (a tetrahedron, in the plane a triangle) matters: the measures of section 4.
+ * The priority measures of section 4: how much a cell (a tetrahedron; in the plane, a triangle) matters.
  */
 #ifndef carving_Priority_h
 #define carving_Priority_h
@@ -22,11 +22,11 @@ enum class PriorityMeasure : int
   EdgeVolume = 3 ///< the geometric mean of l and v as a length
 };
 
-/** q of every cell, before depth is taken into account. Finite and not negative. */
+/** The measure q of every cell, regardless of depth. Finite and not negative. */
 template <int D>
 std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure);
 
-/** A priority as a length: l, the root of v of order D, 2 r, or what EdgeVolume is. */
+/** A priority as a length: l, the D-th root of v, 2 r, or the value of EdgeVolume itself. Not in the paper. */
 template <int D>
 double PriorityAsLength(double priority, PriorityMeasure measure);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a carving leaves: in which step each cell disappears.
+ * The result of a carving: the step in which each cell disappears.
  */
 #ifndef carving_Stream_h
 #define carving_Stream_h
@@ -13,20 +13,20 @@ namespace carving
 {
 
 /**
- * The order in which a carving removes tetrahedra.
+ * The order in which a carving removes tetrahedra (section 3.3).
  *
- * A step is one pop from the queue with all that it takes along; step 0 is the initial approximation
- * C0, so that a stream of n steps has n + 1 approximations.
+ * A step is one pop from the queue, with the tetrahedra that follow it. Step 0 is the initial approximation C0,
+ * so that a stream of n steps has n + 1 approximations.
  */
 struct Stream
 {
   static constexpr int Never = std::numeric_limits<int>::max();
 
-  /** Per tetrahedron: it is missing from every C_j with j >= Step. `Never` where it stays. */
+  /** Per tetrahedron: it is missing from every C_j with j >= Step. `Never` if it stays. */
   std::vector<int> Step;
-  /** Per tetrahedron: its priority, with depth taken into account; NaN where it stays. */
+  /** Per tetrahedron: its priority by equation (2); NaN if it stays. */
   std::vector<double> Priority;
-  /** Per tetrahedron: its depth; 0 where it stays. */
+  /** Per tetrahedron: its depth; 0 if it stays. */
   std::vector<double> Depth;
   /** Per step: the priority of the tetrahedron that was popped; NaN for step 0. */
   std::vector<double> StepPriority;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Measure/EulerCharacteristics.h"
 
+#include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/Fetch.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace carving
 namespace
 {
 
-/** An edge that no longer has a cell around it after `Step`, as far as one of its cells can tell. */
+/** An edge whose cells are all removed after `Step`, as recorded by one of them. */
 struct EdgeEnd
 {
   std::array<int, 2> Edge;
@@ -22,9 +23,9 @@ struct EdgeEnd
 /**
  * The changes of V - E + F - T, step by step.
  *
- * A face vanishes with the later one of its two cells, and an edge with the latest of those around it,
- * which is later than both of its neighbors there. So each cell tells of the faces behind which nothing
- * is left when it goes, and of the edges between two such faces.
+ * A face vanishes with the later of its two cells. An edge vanishes with the last of the cells around it, which is
+ * removed after both of its neighbors in the rotation around the edge. So each cell records the faces that are its
+ * own alone when it is removed, and the edges between two such faces.
  */
 template <int D>
 class EulerCharacteristics
@@ -75,7 +76,7 @@ public:
   }
 
 private:
-  /** A vertex or an edge vanishes; step 0 is for vertices that no cell has. */
+  /** A vertex or an edge vanishes. Step 0 stands for vertices without cells. */
   void Vanish(int dimension, int step)
   {
     if (step > 0 && step != Stream::Never)
@@ -84,7 +85,7 @@ private:
     }
   }
 
-  /** M stays, with its edges and vertices. */
+  /** The facets of M stay, with their edges and vertices. */
   void AddSurfaceFacet(const std::array<int, D>& facet)
   {
     for (int i = 0; i < D; ++i)
@@ -97,7 +98,7 @@ private:
     }
   }
 
-  /** The edges around which carved cells lie beside one that stays. */
+  /** Records the edges at which this cell, which stays, adjoins a carved one. */
   void AddKeptCell(int cell)
   {
     if constexpr (D == 3)
@@ -120,7 +121,7 @@ private:
   void AddCarvedCell(int cell)
   {
     const int step = this->Step[cell];
-    // Faces behind which nothing is left, a bit for each: without branches, which nobody could predict.
+    // A bit per face that is this cell's alone. Branch-free, since no branch could be predicted.
     unsigned int ended = 0;
     for (int f = 0; f <= D; ++f)
     {
@@ -133,7 +134,7 @@ private:
     this->Changes[step] += D % 2 == 0 ? bits[ended] - 1 : 1 - bits[ended];
     if constexpr (D == 3)
     {
-      // The faces opposite to two corners share the edge between the other two.
+      // Edge i is shared by the faces opposite to the other two corners.
       constexpr unsigned int opposite[6] = { 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011 };
       constexpr int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
       const auto& corners = this->Mesh.Cells[cell];
@@ -152,51 +153,46 @@ private:
     this->EdgeEnds.push_back({ { std::min(a, b), std::max(a, b) }, step });
   }
 
-  /** Of all that was told of an edge the latest step counts. */
+  /** An edge vanishes in the latest step that any of its cells recorded for it. */
   void CountEdges()
   {
-    std::vector<int> ends(this->Mesh.Surface.Points.size() + 1, 0);
-    for (const EdgeEnd& end : this->EdgeEnds)
-    {
-      ++ends[end.Edge[0] + 1];
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<std::pair<int, int>> sorted(this->EdgeEnds.size()); // the other vertex and the step
-    for (const EdgeEnd& end : this->EdgeEnds)
-    {
-      sorted[ends[end.Edge[0]]++] = { end.Edge[1], end.Step };
-    }
-    std::vector<int> place(this->Mesh.Surface.Points.size(), -1);
-    int begin = 0;
-    for (std::size_t vertex = 0; vertex + 1 < ends.size(); ++vertex)
-    {
-      int distinct = begin;
-      for (int i = begin; i < ends[vertex]; ++i)
+    using End = std::pair<int, int>; // the other vertex, the step
+    Buckets<End> ends(this->Mesh.Surface.Points.size(),
+      [this](auto&& visit)
       {
-        const auto [other, step] = sorted[i];
-        if (place[other] < begin) // not yet told of
+        for (const EdgeEnd& end : this->EdgeEnds)
         {
-          place[other] = distinct;
-          sorted[distinct++] = { other, step };
+          visit(end.Edge[0], End(end.Edge[1], end.Step));
         }
-        else
-        {
-          sorted[place[other]].second = std::max(sorted[place[other]].second, step);
-        }
-      }
-      for (int i = begin; i < distinct; ++i)
+      });
+    // Per other vertex: the last vertex that it shared an edge with, and the edge's entry in `steps`.
+    std::vector<std::pair<int, int>> last(this->Mesh.Surface.Points.size(), { -1, 0 });
+    std::vector<int> steps;
+    for (int vertex = 0; vertex < ends.GetNumberOfBuckets(); ++vertex)
+    {
+      steps.clear();
+      for (const auto& [other, step] : ends[vertex])
       {
-        this->Vanish(1, sorted[i].second);
+        if (last[other].first != vertex)
+        {
+          last[other] = { vertex, static_cast<int>(steps.size()) };
+          steps.push_back(step);
+        }
+        int& latest = steps[last[other].second];
+        latest = std::max(latest, step);
       }
-      begin = ends[vertex];
+      for (const int step : steps)
+      {
+        this->Vanish(1, step);
+      }
     }
   }
 
   const Decomposition<D>& Mesh;
   const std::vector<int>& Step;
   std::vector<int> Changes;
-  std::vector<char> IsOfSurface; ///< per vertex: M has it, so that it stays
-  std::vector<int> VertexEnds;   ///< with the last cell around them
+  std::vector<char> IsOfSurface; ///< per vertex: it is one of M and stays
+  std::vector<int> VertexEnds;   ///< per vertex: the step of the last cell around it
   std::vector<EdgeEnd> EdgeEnds;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The Euler characteristic of every approximation of a stream.
+ * The Euler characteristic of every approximation of a stream. Not in the paper.
  */
 #ifndef carving_EulerCharacteristics_h
 #define carving_EulerCharacteristics_h
@@ -15,8 +15,7 @@ namespace carving
 {
 
 /**
- * Per step V - E + F - T of the closed complex of M and all cells that are not carved away; in a plane
- * V - E + F. Linear in the number of cells.
+ * Per step, V - E + F - T of the closed complex K (in the plane, V - E + F). Linear in the number of cells.
  */
 template <int D>
 std::vector<int> ComputeEulerCharacteristics(const Decomposition<D>& mesh, const Stream& stream);

@@ -16,7 +16,7 @@ namespace carving
 namespace
 {
 
-/** The last step such that it and all before it count at most `limit`; -1 where even C0 counts more. */
+/** The last step such that all counts up to it are at most `limit`; -1 if even that of C0 exceeds it. */
 int LastStepWithin(const std::vector<int>& counts, double limit)
 {
   const auto exceeding =
@@ -72,10 +72,10 @@ SelectedStep SelectNearest(int last, double target)
   return { step > last ? last : 0, problem.str() };
 }
 
-/** Adds steps in the middle of the widest gap, the first of equal ones, until there are as many as wanted. */
+/** Bisects the widest gap between steps, the first of equal ones, until there are as many steps as wanted. */
 void HalveGaps(int wanted, std::set<int>& steps)
 {
-  using Gap = std::pair<int, int>; // its width, and minus where it begins
+  using Gap = std::pair<int, int>; // the width and the negative of the first step
   std::priority_queue<Gap> gaps;
   for (auto lower = steps.begin(), upper = std::next(lower); upper != steps.end(); lower = upper++)
   {
@@ -123,7 +123,7 @@ SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target)
       return SelectByCount(profile.Triangles, target, "triangles");
     case LevelTarget::FeatureSize:
     {
-      const auto& sizes = profile.FeatureSize; // never grows, infinite at first
+      const auto& sizes = profile.FeatureSize; // does not increase; infinite at first
       const auto small =
         std::find_if(sizes.begin(), sizes.end(), [target](double size) { return size <= target; });
       return { std::max(0, static_cast<int>(small - sizes.begin()) - 1), {} };
@@ -154,7 +154,7 @@ std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type)
       return rangeOf(profile.Triangles);
     case LevelTarget::FeatureSize:
     {
-      // The sizes of C0 and, where nothing is carved, of all are infinite.
+      // The feature size of C0 is infinite.
       const auto& sizes = profile.FeatureSize;
       return sizes.size() > 1 ? std::array<double, 2>{ sizes.back(), sizes[1] }
                               : std::array<double, 2>{ 0.0, 0.0 };
@@ -191,7 +191,7 @@ std::vector<int> SpreadLevels(const Profile& profile, int count)
     return { profile.LastStep() };
   }
   std::set<int> steps = { 0, profile.LastStep() };
-  // The most vertices so far, in which a target can be searched by bisection.
+  // Running maxima, which are sorted.
   std::vector<int> most(profile.Vertices.size());
   std::partial_sum(profile.Vertices.begin(), profile.Vertices.end(), most.begin(),
     [](int a, int b) { return std::max(a, b); });

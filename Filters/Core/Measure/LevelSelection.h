@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which steps of a stream become levels of detail.
+ * The selection of steps of a stream as levels of detail. Not in the paper.
  */
 #ifndef carving_LevelSelection_h
 #define carving_LevelSelection_h
@@ -16,13 +16,13 @@ namespace carving
 {
 
 /**
- * At most `count` steps, ascending: the first is 0 and the last is the stream's last; between them
- * the vertex counts grow geometrically. Where too few distinct vertex counts exist the rest are
- * spread by steps, and where too few steps exist there are fewer levels.
+ * At most `count` steps, ascending, from 0 to the stream's last, with vertex counts that grow geometrically. If
+ * there are too few distinct vertex counts, the rest are spread by steps; if there are too few steps, all are given.
+ * A count of 1 gives the last step alone.
  */
 std::vector<int> SpreadLevels(const Profile& profile, int count);
 
-/** What a level target counts or measures. */
+/** The quantity that a level target limits. */
 enum class LevelTarget : int
 {
   Vertices = 0,
@@ -34,24 +34,24 @@ enum class LevelTarget : int
   Step = 6
 };
 
-/** The name of the filters' enumerator. */
+/** The name of the enumerator in the filters. */
 const char* LevelTargetName(LevelTarget target);
 
 struct SelectedStep
 {
   int Step;
-  std::string Problem; ///< empty if the target is met, else a sentence that says why it is not
+  std::string Problem; ///< empty if the target is met, else a sentence that says why not
 };
 
 /**
- * The last step such that it and all before it have at most `target` vertices, triangles, tunnels or
- * components; the one before the first pop with a priority of at most `target`, a length; the first such
- * that neither it nor any after it is farther than `target` from M; or step `target`. What cannot be met
- * gives the nearest step.
+ * The step that a target selects. Vertices, Triangles, Tunnels, Components: the last step such that it and all
+ * earlier ones have at most `target`. FeatureSize, a length: the step before the first pop with a priority of at
+ * most `target`. ErrorBound: the first step such that neither it nor any later one is farther than `target` from M.
+ * Step: `target` itself. If no step meets the target, the nearest one is selected.
  */
 SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target);
 
-/** The least and the greatest target that pick different levels. */
+/** The range of targets that select different levels. */
 std::array<double, 2> GetTargetRange(const Profile& profile, LevelTarget type);
 
 } // namespace carving

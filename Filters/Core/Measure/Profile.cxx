@@ -12,7 +12,7 @@ namespace carving
 namespace
 {
 
-/** One more during [birth, death), as differences that a prefix sum turns into counts. */
+/** Counts one more in [birth, death). A prefix sum turns the differences into counts. */
 void Count(std::vector<int>& differences, int birth, int death)
 {
   if (birth < death)
@@ -26,8 +26,8 @@ void Count(std::vector<int>& differences, int birth, int death)
 }
 
 /**
- * What oriented faces bound: the flux of x / D, or half the sum of the moments of edges, which has the
- * direction of the plane's normal. `origin` is near the faces, for the sake of rounding.
+ * The volume that oriented triangles bound, by the divergence theorem, or the area that oriented edges bound: half
+ * the length of the sum of their moments. An origin near the faces keeps rounding errors small.
  */
 class BoundedVolume
 {
@@ -61,7 +61,7 @@ private:
   Point Moments = {};
 };
 
-/** From what is left in the end and what each step carves away. */
+/** Sets the volumes from the final one, `left`, and from the volumes of the cells that each step removes. */
 template <int D>
 void SetVolumes(Profile& profile, const StoredStream<D>& stream, double left)
 {
@@ -88,7 +88,7 @@ Profile ComputeProfile(const StoredStream<D>& stream)
   Profile profile;
   profile.Vertices.assign(stream.Order.StepPriority.size(), 0);
   profile.Triangles.assign(stream.Order.StepPriority.size(), 0);
-  // A vertex shows on C_j while some face around it does.
+  // A vertex is part of C_j if some face around it is.
   const std::size_t numberOfPoints = stream.Mesh.Surface.Points.size();
   std::vector<int> birth(numberOfPoints, Stream::Never);
   std::vector<int> death(numberOfPoints, 0);
@@ -129,7 +129,7 @@ void SetPriorities(
   double smallest = std::numeric_limits<double>::infinity();
   for (const double priority : stepPriorities)
   {
-    // The priority of step 0 is NaN, which fmin passes over.
+    // fmin ignores the priority of step 0, which is NaN.
     smallest = std::fmin(smallest, PriorityAsLength<D>(priority, measure));
     profile.FeatureSize.push_back(smallest);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Size and topology of every approximation of a stream.
+ * Size and topology of every approximation of a stream. Not in the paper.
  */
 #ifndef carving_Profile_h
 #define carving_Profile_h
@@ -15,22 +15,22 @@ namespace carving
 {
 
 /**
- * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are those of that
- * approximation before it is cut into manifolds.
+ * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are counted before the approximation
+ * is cut into manifolds.
  */
 struct Profile
 {
   std::vector<int> Vertices;
   std::vector<int> Triangles;
-  /** Of the solid and the cells that are not carved, M's coordinates to the power of D; never grows. */
+  /** The volume (in the plane, the area) of the solid and the remaining cells. Does not increase. */
   std::vector<double> Volume;
-  /** Betti numbers of the closed complex; SetTopology fills them. In a plane tunnels are holes. */
+  /** The Betti numbers of the closed complex K, set by SetTopology. In the plane, tunnels are holes. */
   std::vector<int> Components;
   std::vector<int> Tunnels;
   std::vector<int> Voids;
-  /** How far each is from M (ComputeErrors); empty if that has not been asked for. */
+  /** The distance of each approximation from M (ComputeErrors); empty unless requested. */
   std::vector<double> Error;
-  /** Of the tetrahedron popped at that step; NaN for C0. */
+  /** The priority of the tetrahedron popped in the step; NaN for C0. */
   std::vector<double> Priority;
   /** The smallest priority popped so far, as a length (PriorityAsLength); infinite for C0. */
   std::vector<double> FeatureSize;
@@ -42,8 +42,8 @@ struct Profile
 };
 
 /**
- * All but the topology. O(cells): sums up where each vertex and face appears and vanishes, and how much
- * each step carves away.
+ * Computes everything except topology and errors, in time linear in the number of cells, from the steps in which
+ * each vertex and face appears and vanishes and from the volumes that each step removes.
  */
 template <int D>
 Profile ComputeProfile(const StoredStream<D>& stream);

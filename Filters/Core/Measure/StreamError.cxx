@@ -13,10 +13,10 @@ namespace carving
 namespace
 {
 
-/** By how much a distance may be too large. */
+/** The factor by which a distance may be too large. */
 constexpr double Tolerance = 1.01;
 
-/** The side of a piece of a face that is to be halved: the longest. */
+/** The longest side of a piece of a face, which will be halved. */
 template <int D>
 int LongestSide(const FacetCorners<D>& piece)
 {
@@ -31,7 +31,7 @@ int LongestSide(const FacetCorners<D>& piece)
   return longest;
 }
 
-/** The radius of the smallest ball around a face: no point of it is farther from the nearest corner. */
+/** The radius of the smallest ball around a face. No point of the face is farther from the nearest corner. */
 template <int D>
 double BallRadius(const FacetCorners<D>& face)
 {
@@ -39,11 +39,11 @@ double BallRadius(const FacetCorners<D>& face)
   const Point &a = face[i], &b = face[(i + 1) % D], &c = face[(i + 2) % D];
   const double half = Length(b - a) / 2.0;
   const double product = D == 3 ? Dot(a - c, b - c) : 0.0;
-  // Of an acute triangle that of the circumscribed circle, from its longest side and opposite angle.
+  // The circumradius of an acute triangle follows from its longest side and the opposite angle.
   return product <= 0.0 ? half : half * Length(a - c) * Length(b - c) / Length(Cross(a - c, b - c));
 }
 
-/** Finds how far a face is from M, in rounds that can be given up. */
+/** Bounds the distance of a face from M with a limited number of queries. */
 template <int D>
 class FaceDistance
 {
@@ -65,7 +65,7 @@ public:
     bool Final; ///< within the tolerance
   };
 
-  /** Asks for closest facets that many times. */
+  /** Refines the bound with at most this many queries for closest facets. */
   Bound Compute(const FacetCorners<D>& face, int queries) const
   {
     std::priority_queue<Piece> pieces;
@@ -124,7 +124,7 @@ private:
   }
 
   const FacetTree<D> Tree;
-  const double Negligible; ///< what is that close lies on M, but for rounding
+  const double Negligible; ///< smaller distances are rounding errors of points on M
 };
 
 /** What is known of a face's distance. */
@@ -208,7 +208,7 @@ bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, 
       candidates.pop();
       if (face.Death > step)
       {
-        // More and more queries: what turns out not to be the farthest is left with few.
+        // The number of queries grows, so that faces which are not the farthest take few.
         const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
         const auto bound = faceDistance.Compute(CornersOf<D>(points, face.Corners), queries);
         candidates.push({ std::min(top.Upper, bound.Upper), top.Face, bound.Final ? -1 : queries });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How far every approximation of a stream is from M.
+ * The distance of every approximation of a stream from M. Not in the paper.
  */
 #ifndef carving_StreamError_h
 #define carving_StreamError_h
@@ -16,14 +16,14 @@ namespace carving
 {
 
 /**
- * Per step, how far the point of that approximation's surface that is farthest from `mesh`, which is M, is
- * from it: the one-sided Hausdorff distance. Never too small, and at most one hundredth (of it) too large.
- * `conforming`: M is a union of faces (exact mode), which are then at no distance.
+ * Per step, the one-sided Hausdorff distance from the approximation's surface to `mesh`, which is M: the largest
+ * distance of any point of the surface from M. Never too small, and at most 1 % too large. `conforming`: M is a
+ * union of faces (exact mode), whose distance is then 0.
  *
- * A face is bounded first by its size, as corners are on M or nearly so; only where that decides which face
- * is the farthest, by branch and bound: the distance from one triangle of M is convex, so that it is greatest
- * in a corner of each piece. What is found of a face serves all steps that show it: a heap sweeps over
- * them. Returns false when `progress` asked to stop.
+ * The first upper bound of a face's distance follows from its size, since its corners are on M or close to M. Branch
+ * and bound refines the bounds of those faces that may be the farthest: the distance from one triangle of M is
+ * convex, so that its maximum over a piece is at a corner. A heap sweeps over the steps, so that the bounds of a face
+ * serve all steps that show the face. Returns false if `progress` asked to stop.
  */
 template <int D>
 bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, bool conforming,

@@ -2,6 +2,7 @@
 #include "Core/Measure/StreamTopology.h"
 
 #include "Core/Measure/EulerCharacteristics.h"
+#include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace carving
 namespace
 {
 
-/** The components of a set of simplices that grows. */
+/** The number of components of a growing set of simplices. */
 class GrowingComponents
 {
 public:
@@ -43,7 +44,7 @@ public:
     }
   }
 
-  /** Per vertex a number of its component, -1 where it is in none. */
+  /** Per vertex: the number of its component, or -1 if it is in none. */
   std::vector<int> GetLabels()
   {
     std::vector<int> labels(this->Present.size(), -1);
@@ -76,12 +77,12 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
       components.Add(mesh.Cells[cell]);
     }
   }
-  // Between parts of one component cells come and go without a trace.
+  // A cell within one component of the stream's last approximation never changes the number.
   const std::vector<int> labels = components.GetLabels();
   const auto isWithinOne = [&](const auto& corners)
   {
     const int label = labels[corners[0]];
-    bool within = label >= 0; // no early way out, which nobody could predict
+    bool within = label >= 0; // no early exit: no branch could be predicted
     for (const int vertex : corners)
     {
       within &= labels[vertex] == label;
@@ -89,23 +90,24 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
     return within;
   };
   std::vector<int> joining;
-  std::vector<int> ends(stream.LastStep() + 2, 0);
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     if (stream.Step[cell] != Stream::Never && !isWithinOne(mesh.Cells[cell]))
     {
-      joining.push_back(static_cast<int>(cell));
-      ++ends[stream.Step[cell] + 1];
+      joining.push_back(cell);
     }
   }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<int> sorted(joining.size());
-  for (const int cell : joining)
-  {
-    sorted[ends[stream.Step[cell]]++] = cell;
-  }
+  const Buckets<int> byStep(stream.LastStep() + 1,
+    [&](auto&& visit)
+    {
+      for (const int cell : joining)
+      {
+        visit(stream.Step[cell], cell);
+      }
+    });
+  const std::vector<int>& sorted = byStep.GetItems();
   std::vector<int> counts(stream.LastStep() + 1);
-  constexpr int ahead = 16; // cells are all over memory, and fetched before they are needed
+  constexpr int ahead = 16; // cells are scattered in memory and are prefetched
   auto next = sorted.rbegin();
   for (int step = stream.LastStep(); step >= 0; --step)
   {

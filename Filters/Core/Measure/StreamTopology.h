@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Components, tunnels and voids of every approximation of a stream.
+ * Components, tunnels and voids of every approximation of a stream. Not in the paper.
  */
 #ifndef carving_StreamTopology_h
 #define carving_StreamTopology_h
@@ -15,15 +15,13 @@ namespace carving
 {
 
 /**
- * Fills `Components`, `Tunnels` and `Voids`: the Betti numbers of the closed complex K_i of M and all
- * cells, those of the solid included, that are not carved away until step i. A face, edge or vertex stays
- * in it as long as something around it does.
+ * Sets `Components`, `Tunnels` and `Voids`: the Betti numbers of the closed complex K_i, which consists of M and all
+ * cells that are not carved until step i, those of the solid included, with all their faces, edges and vertices.
  *
- * Components are counted by uniting vertices while cells are put back, from the last step to the first.
- * A void opens with the first tetrahedron that is carved in a region that M encloses, and stays one, since
- * carving only goes on from what it has carved; in a plane there are none. Tunnels (in a plane, holes)
- * follow from the Euler characteristic: V - E + F - T = components - tunnels + voids. The time it takes is
- * linear, but for the sets.
+ * Components are counted by union-find over vertices while cells are put back, from the last step to the first. A
+ * void begins with the first tetrahedron carved in a region that M encloses. It remains one void, since carving in the
+ * region proceeds from there. In the plane there are no voids. Tunnels (in the plane, holes) follow from the Euler
+ * characteristic: V - E + F - T = components - tunnels + voids. Takes O(n alpha(n)) time for n cells.
  */
 template <int D>
 void SetTopology(Profile& profile, const Decomposition<D>& mesh, const Classification& regions,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/Adjacency.h"
 
+#include "Core/Mesh/Buckets.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace carving
 {
@@ -14,7 +15,7 @@ struct Face
 {
   std::array<int, D> Corners; ///< ascending
   int Cell;                   ///< -1 for a facet of M
-  int Index;                  ///< the corner that it is opposite to, or the facet
+  int Index;                  ///< the opposite corner of the cell, or the facet
 
   bool operator<(const Face& other) const
   {
@@ -31,41 +32,49 @@ Face<D> MakeFace(std::array<int, D> corners, int cell, int index)
   return { corners, cell, index };
 }
 
-/** Equal faces come to lie side by side: bucketed by the first corner, then sorted. */
+/** The faces of all cells and the facets of M, by their first corner. */
 template <int D>
-std::vector<Face<D>> SortFaces(const Decomposition<D>& mesh)
+Buckets<Face<D>> CollectFaces(const Decomposition<D>& mesh)
 {
-  std::vector<Face<D>> faces;
-  faces.reserve(mesh.Surface.Facets.size() + (D + 1) * mesh.Cells.size());
-  for (std::size_t i = 0; i < mesh.Surface.Facets.size(); ++i)
-  {
-    faces.push_back(MakeFace<D>(mesh.Surface.Facets[i], -1, static_cast<int>(i)));
-  }
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    for (int f = 0; f <= D; ++f)
+  return { mesh.Surface.Points.size(),
+    [&](auto&& visit)
     {
-      const int index = static_cast<int>(cell);
-      faces.push_back(MakeFace<D>(mesh.OutwardFace(index, f), index, f));
-    }
-  }
-  std::vector<int> ends(mesh.Surface.Points.size() + 1, 0);
-  for (const Face<D>& face : faces)
+      const auto add = [&](const Face<D>& face) { visit(face.Corners[0], face); };
+      for (std::size_t i = 0; i < mesh.Surface.Facets.size(); ++i)
+      {
+        add(MakeFace<D>(mesh.Surface.Facets[i], -1, static_cast<int>(i)));
+      }
+      for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+      {
+        for (int f = 0; f <= D; ++f)
+        {
+          add(MakeFace<D>(mesh.OutwardFace(cell, f), cell, f));
+        }
+      }
+    } };
+}
+
+/** Connects the cells of equal faces. A facet of M comes first. Returns false if the faces do not fit. */
+template <int D>
+bool Connect(const Face<D>* first, const Face<D>* last, Decomposition<D>& mesh)
+{
+  const int facet = first->Cell < 0 ? first->Index : -1;
+  const Face<D>* cells = first + (facet >= 0 ? 1 : 0);
+  const auto count = last - cells;
+  if (count > 2 || (count > 0 && cells->Cell < 0))
   {
-    ++ends[face.Corners[0] + 1];
+    return false;
   }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  const std::vector<int> begins = ends;
-  std::vector<Face<D>> sorted(faces.size());
-  for (const Face<D>& face : faces)
+  for (const Face<D>* face = cells; face != last; ++face)
   {
-    sorted[ends[face.Corners[0]]++] = face;
+    mesh.Constraints[face->Cell][face->Index] = facet;
   }
-  for (std::size_t vertex = 0; vertex + 1 < begins.size(); ++vertex)
+  if (count == 2)
   {
-    std::sort(sorted.begin() + begins[vertex], sorted.begin() + begins[vertex + 1]);
+    mesh.Neighbors[cells[0].Cell][cells[0].Index] = cells[1].Cell;
+    mesh.Neighbors[cells[1].Cell][cells[1].Index] = cells[0].Cell;
   }
-  return sorted;
+  return true;
 }
 
 } // namespace
@@ -77,28 +86,21 @@ bool FindAdjacency(Decomposition<D>& mesh)
   none.fill(-1);
   mesh.Neighbors.assign(mesh.Cells.size(), none);
   mesh.Constraints.assign(mesh.Cells.size(), none);
-  const std::vector<Face<D>> faces = SortFaces(mesh);
-  for (auto first = faces.begin(); first != faces.end();)
+  Buckets<Face<D>> faces = CollectFaces(mesh);
+  for (int vertex = 0; vertex < faces.GetNumberOfBuckets(); ++vertex)
   {
-    auto last = std::find_if(
-      first, faces.end(), [&](const Face<D>& face) { return face.Corners != first->Corners; });
-    const int facet = first->Cell < 0 ? first->Index : -1;
-    const auto cells = first + (facet >= 0 ? 1 : 0);
-    const auto count = last - cells;
-    if (count > 2 || (count > 0 && cells->Cell < 0))
+    const auto bucket = faces[vertex];
+    std::sort(bucket.begin(), bucket.end());
+    for (auto first = bucket.begin(); first != bucket.end();)
     {
-      return false;
+      const auto last = std::find_if(
+        first, bucket.end(), [&](const Face<D>& face) { return face.Corners != first->Corners; });
+      if (!Connect(&*first, &*first + (last - first), mesh))
+      {
+        return false;
+      }
+      first = last;
     }
-    for (auto face = cells; face != last; ++face)
-    {
-      mesh.Constraints[face->Cell][face->Index] = facet;
-    }
-    if (count == 2)
-    {
-      mesh.Neighbors[cells[0].Cell][cells[0].Index] = cells[1].Cell;
-      mesh.Neighbors[cells[1].Cell][cells[1].Index] = cells[0].Cell;
-    }
-    first = last;
   }
   return true;
 }

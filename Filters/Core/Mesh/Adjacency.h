@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which cells share a face, and which faces lie on M.
+ * The faces that cells share with each other and with M.
  */
 #ifndef carving_Adjacency_h
 #define carving_Adjacency_h
@@ -12,8 +12,8 @@ namespace carving
 {
 
 /**
- * Finds `Neighbors` and `Constraints` from `Cells` and `Surface.Facets`, in time linear in their number
- * unless vertices have very many cells. Returns false if three cells share a face.
+ * Computes `Neighbors` and `Constraints` from `Cells` and `Surface.Facets`. Takes O(n log d) time, where at
+ * most d cells meet in a vertex. Returns false if three cells share a face, or two facets are equal.
  */
 template <int D>
 bool FindAdjacency(Decomposition<D>& mesh);

@@ -14,7 +14,7 @@
 namespace carving
 {
 
-/** A partition of the numbers below `size`, at first into single ones. */
+/** A partition of the numbers below `size`, initially into single numbers. */
 class DisjointSets
 {
 public:
@@ -24,7 +24,7 @@ public:
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }
 
-  /** The smallest member of the set. */
+  /** The smallest member of a's set. */
   int Find(int a)
   {
     while (this->Parent[a] != a)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/FacetTree.h"
 
+#include "Core/Mesh/MedianSplit.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -82,12 +83,12 @@ void FacetTree<D>::Build(const std::vector<Point>& centers, int first, int last)
   {
     return;
   }
-  const Point extent = node.Upper - node.Lower;
-  const auto axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
-  const int middle = (first + last) / 2;
-  std::nth_element(this->Facets.begin() + first, this->Facets.begin() + middle,
-    this->Facets.begin() + last,
-    [&](int a, int b) { return std::pair(centers[a][axis], a) < std::pair(centers[b][axis], b); });
+  const auto begin = this->Facets.begin();
+  const int middle = static_cast<int>(
+    SplitAtMedian(
+      begin + first, begin + last, node.Upper - node.Lower,
+      [&](int facet) -> const Point& { return centers[facet]; }, [](int facet) { return facet; }) -
+    begin);
   this->Build(centers, first, middle);
   this->Nodes[index].Second = static_cast<int>(this->Nodes.size());
   this->Build(centers, middle, last);
@@ -110,7 +111,7 @@ typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
 {
   Closest closest = { {}, std::numeric_limits<double>::infinity() };
   double squared = closest.Distance;
-  std::array<std::pair<double, int>, 64> open; // halving 2^31 facets goes no deeper
+  std::array<std::pair<double, int>, 64> open; // 2^31 facets have at most 31 levels
   int count = 0;
   open[count++] = { 0.0, 0 };
   while (count > 0)

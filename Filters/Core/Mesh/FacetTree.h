@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which facet of a mesh is closest to a point.
+ * The facet of a mesh that is closest to a point.
  */
 #ifndef carving_FacetTree_h
 #define carving_FacetTree_h
@@ -28,19 +28,19 @@ FacetCorners<D> CornersOf(const std::vector<Point>& points, const std::array<int
   return corners;
 }
 
-/** How far a point is from a triangle (D = 3) or an edge (D = 2) that is no point. */
+/** The distance of a point from a triangle (D = 3) or an edge (D = 2) of nonzero length. */
 double DistanceTo(const FacetCorners<2>& edge, const Point& p);
 double DistanceTo(const FacetCorners<3>& triangle, const Point& p);
 
 /**
- * A tree of boxes around facets. VTK's locators search a grid of buckets, which takes many times as long
- * from points that are far from all facets, as most are here.
+ * A bounding volume hierarchy of axis-aligned boxes around facets. Most queries start far from all facets,
+ * where VTK's locators, which search a grid of buckets, take many times as long.
  */
 template <int D>
 class FacetTree
 {
 public:
-  /** The mesh has to live as long as the tree, and to have a facet. */
+  /** The mesh must have a facet and outlive the tree. */
   explicit FacetTree(const ResolvedInput<D>& mesh);
 
   struct Closest
@@ -51,14 +51,14 @@ public:
   Closest Find(const Point& p) const;
 
 private:
-  /** Of the facets from First on, before Last; the children follow, unless it is a leaf. */
+  /** The box of facets First to Last - 1. The first child is the next node. */
   struct Node
   {
     Point Lower;
     Point Upper;
     int First;
     int Last;
-    int Second; ///< the second child, the first is the next node; 0 for a leaf
+    int Second; ///< the second child; 0 for a leaf
   };
 
   void Build(const std::vector<Point>& centers, int first, int last);

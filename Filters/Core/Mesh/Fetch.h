@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Hints that keep loops over all cells from waiting for memory. They are always inlined, since a
- * compiler may drop calls of functions that seem to do nothing.
+ * Prefetching for loops over all cells, whose neighbors are scattered in memory. The functions are always
+ * inlined: a compiler may drop calls of functions without visible effects.
  */
 #ifndef carving_Fetch_h
 #define carving_Fetch_h
@@ -15,7 +15,7 @@
 namespace carving
 {
 
-/** Has the processor fetch what each array has of a cell's neighbors, which are all over memory. */
+/** Prefetches the entries of a cell's neighbors in each array. */
 template <int D, class... Values>
 [[gnu::always_inline]] inline void FetchNeighbors(
   const Decomposition<D>& mesh, int cell, const std::vector<Values>&... arrays)
@@ -26,7 +26,7 @@ template <int D, class... Values>
   }
 }
 
-/** The same in a loop over all cells that has come to `cell`, for one that is about to come. */
+/** In a loop over all cells that has reached `cell`: does the same for a cell some iterations ahead. */
 template <int D, class... Values>
 [[gnu::always_inline]] inline void FetchAhead(
   const Decomposition<D>& mesh, int cell, const std::vector<Values>&... arrays)

@@ -17,14 +17,14 @@ namespace carving
 using Point = std::array<double, 3>;
 using Triangle = std::array<int, 3>;
 
-/** Triangles as the user gave them: any soup is allowed. */
+/** Triangles as the user gave them. Any triangle soup is allowed. */
 struct TriangleMesh
 {
   std::vector<Point> Points;
   std::vector<Triangle> Triangles;
 };
 
-/** Directed edges as the user gave them, in the plane of the first two coordinates. */
+/** Directed edges as the user gave them. They lie in the plane of the first two coordinates. */
 struct ContourSet
 {
   std::vector<Point> Points;
@@ -32,28 +32,27 @@ struct ContourSet
 };
 
 /**
- * The input M after cleaning and resolving. Its facets are triangles in space (D = 3) or edges in a
- * plane (D = 2). No two points are equal, no facet is degenerate, no two facets are equal or meet
- * other than in a shared vertex or edge.
- *
- * `PointSources`, one per point, is the given point at these coordinates, or -1 for a point that
- * resolving made. `FacetSources`, `SignedMultiplicities` and `Multiplicities` have one entry per facet: the given facet
- * that it is (a part of), and of all given facets merged into it their signed number (those of
- * opposite orientation count -1) and their number.
+ * The input M after cleaning and resolving. Facets are triangles in space (D = 3) or edges in a plane
+ * (D = 2). No two points are equal, no facet is degenerate, and any two facets meet in shared vertices and
+ * edges only.
  */
 template <int D>
 struct ResolvedInput
 {
   std::vector<Point> Points;
+  /** Per point: the given point with these coordinates, or -1 for a point that resolving made. */
   std::vector<int> PointSources;
   std::vector<std::array<int, D>> Facets;
+  /** Per facet: the given facet that it is, or is a part of. */
   std::vector<int> FacetSources;
+  /** Per facet: the number of given facets merged into it. Those of opposite orientation count -1. */
   std::vector<int> SignedMultiplicities;
+  /** Per facet: the number of given facets merged into it, whatever their orientation. */
   std::vector<int> Multiplicities;
 };
 using ResolvedMesh = ResolvedInput<3>;
 
-/** Appends a facet that is (a part of) facet i of `from`, with all that is known of that. */
+/** Appends a facet that is, or is a part of, facet i of `from`, with the attributes of facet i. */
 template <int D>
 void AppendFacet(const ResolvedInput<D>& from, std::size_t i, const std::array<int, D>& corners,
   ResolvedInput<D>& to)
@@ -64,11 +63,11 @@ void AppendFacet(const ResolvedInput<D>& from, std::size_t i, const std::array<i
   to.Multiplicities.push_back(from.Multiplicities[i]);
 }
 
-/** What a cell has for a neighbor where there is no other cell. */
+/** Neighbors that are not cells. */
 constexpr int Outside = -1; ///< the exterior of C0
-constexpr int Solid = -2;   ///< the solid of M, where its cells have been left out
+constexpr int Solid = -2;   ///< the solid of M, if its cells are not stored
 
-/** The corners of each face of a positively oriented tetrahedron, which lies behind it. */
+/** The corners of each face of a positively oriented tetrahedron. The tetrahedron lies behind the face. */
 constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 /** The two corners of a tetrahedron other than p and q, the smaller first. */
@@ -82,10 +81,8 @@ constexpr std::array<int, 2> OtherCorners(int p, int q)
  * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space (D = 3),
  * triangles in a plane (D = 2).
  *
- * `Surface` is M; after M's own points its `Points` (and `PointSources`) hold the Steiner points.
- * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0, or counter-clockwise in the plane.
- * Entry f of `Neighbors` and `Constraints` belongs to the face opposite to corner f: the cell behind
- * it (or Outside or Solid) and the facet of M that it lies on (-1: none).
+ * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0 in space, counter-clockwise in the plane.
+ * Face f of a cell is opposite to corner f. A face is constraining if it lies on a facet of M.
  */
 template <int D>
 struct Decomposition
@@ -93,14 +90,16 @@ struct Decomposition
   using Cell = std::array<int, D + 1>;
   using Facet = std::array<int, D>;
 
+  /** M. The Steiner points follow the points of M. */
   ResolvedInput<D> Surface;
-  std::vector<Cell> Cells;
-  std::vector<Cell> Neighbors;
-  std::vector<Cell> Constraints;
+  std::vector<Cell> Cells;       ///< corners
+  std::vector<Cell> Neighbors;   ///< per face: the other cell, Outside or Solid
+  std::vector<Cell> Constraints; ///< per face: the facet of M that it lies on, or -1
 
-  // In enclosing mode, where M need not be a union of faces. `Surface` is then the faces that overlap a
+  // In enclosing mode M need not be a union of faces. `Surface` then consists of the faces that overlap a
   // triangle of M in an area.
-  std::vector<char> Kept;      ///< per cell: M pierces it, it is never carved; empty in exact mode
+  std::vector<char>
+    Kept; ///< per cell: M pierces the cell, which is never carved; empty in exact mode
   ResolvedInput<D> Unresolved; ///< M itself; empty in exact mode
 
   bool IsKept(int cell) const
@@ -108,7 +107,7 @@ struct Decomposition
     return !this->Kept.empty() && this->Kept[cell];
   }
 
-  /** The face opposite to corner f of a cell, oriented so that the cell lies behind it. */
+  /** Face f of a cell, oriented so that the cell lies behind it. */
   Facet OutwardFace(int cell, int f) const
   {
     const Cell& c = this->Cells[cell];

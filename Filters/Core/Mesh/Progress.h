@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How a long computation reports to its caller and learns that it should stop.
+ * Progress reports of long computations, and requests to stop.
  */
 #ifndef carving_Progress_h
 #define carving_Progress_h

@@ -24,9 +24,9 @@ bool AreFinite(const std::vector<Point>& points)
   return finite;
 }
 
-/** A signed multiplicity is a sum of as many signs as the multiplicity says; all multiplicities can be added up. */
+/** A signed multiplicity is a sum of as many signs as the multiplicity. The sum of all must not overflow. */
 template <int D>
-bool CountsArePossible(const ResolvedInput<D>& input)
+bool MultiplicitiesArePossible(const ResolvedInput<D>& input)
 {
   long long sum = 0;
   for (std::size_t i = 0; i < input.Multiplicities.size(); ++i)
@@ -41,7 +41,7 @@ bool CountsArePossible(const ResolvedInput<D>& input)
   return sum <= std::numeric_limits<int>::max();
 }
 
-/** What is wrong with facets and points by themselves. */
+/** The first mistake in points and facets, regardless of cells. */
 template <int D>
 std::string FindMistake(const ResolvedInput<D>& input)
 {
@@ -55,13 +55,13 @@ std::string FindMistake(const ResolvedInput<D>& input)
   {
     return "a vertex index is out of range";
   }
-  return !CornersDiffer(input.Facets) ? "a facet has a corner twice"
-    : !AreFinite(input.Points)        ? "a coordinate is not finite"
-    : !CountsArePossible(input)       ? "a facet's winding or count cannot be"
-                                      : "";
+  return !CornersDiffer(input.Facets)   ? "a facet has a corner twice"
+    : !AreFinite(input.Points)          ? "a coordinate is not finite"
+    : !MultiplicitiesArePossible(input) ? "a facet has an impossible multiplicity"
+                                        : "";
 }
 
-/** A bit for each corner of a cell that is none of a face's. Without branches, to be fast. */
+/** A bit per corner of a cell, set if the corner is not one of the face. Branch-free for speed. */
 template <int D>
 unsigned int CornersApart(const std::array<int, D + 1>& cell, const std::array<int, D>& face)
 {
@@ -78,7 +78,7 @@ unsigned int CornersApart(const std::array<int, D + 1>& cell, const std::array<i
   return apart;
 }
 
-/** The corner of a cell that is opposite to a face of another one; -1 if it has no such face. */
+/** The corner of a cell opposite to a face with these corners; -1 if the cell has no such face. */
 template <int D>
 int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& face)
 {
@@ -87,10 +87,10 @@ int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& f
 }
 
 /**
- * Both sides of every face must agree on its corners, on who the neighbors are and on the constraint.
+ * Whether both cells of every face agree on its corners, its cells and its constraint.
  *
- * Each face is looked at from the one of its cells with the lower index. No two of them find the same
- * face of a neighbor, so that, with as many faces seen from the other side, none of those is left over.
+ * Each face is compared once, by its cell with the lower index. No two cells match the same face of a
+ * neighbor. If the cells with the higher index have as many faces, all of them have been compared.
  */
 template <int D>
 bool NeighborsAgree(const Decomposition<D>& mesh)
@@ -124,7 +124,7 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
   return fromBelow == fromAbove;
 }
 
-/** Every facet must be one face, of a cell or between two. */
+/** Whether every facet is exactly one face, either on the boundary or between two cells. */
 template <int D>
 bool FacetsAreFaces(const Decomposition<D>& mesh)
 {
@@ -189,7 +189,7 @@ std::string FindMistake(const Decomposition<D>& mesh)
   }
   if (!FacetsAreFaces(mesh))
   {
-    return "a facet is not the one face that it is said to be";
+    return "a facet does not match exactly one face";
   }
   return {};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Checks of meshes that come from outside.
+ * Checks of meshes from files and other processes.
  */
 #ifndef carving_Validity_h
 #define carving_Validity_h
@@ -18,7 +18,7 @@ namespace carving
 template <class Tuples>
 bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
 {
-  bool within = true; // no early way out, so that the compiler can vectorize the loop
+  bool within = true; // no early exit, so that the compiler can vectorize the loop
   for (const auto& tuple : tuples)
   {
     for (const int index : tuple)
@@ -48,9 +48,9 @@ bool CornersDiffer(const Tuples& tuples)
 }
 
 /**
- * What contradicts what Mesh.h says of a decomposition, or an empty string: array lengths, indices,
- * cells and facets that do not fit together, coordinates that are not finite. Whether cells overlap in
- * space is not looked at.
+ * The first violation of the contract of Decomposition, or an empty string. Checks array lengths, indices,
+ * the agreement of neighbors, cells and facets, and that coordinates are finite. Does not check whether cells
+ * overlap in space.
  */
 template <int D>
 std::string FindMistake(const Decomposition<D>& mesh);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The few vector operations that the core needs.
+ * Vector operations on points.
  */
 #ifndef carving_Vector_h
 #define carving_Vector_h

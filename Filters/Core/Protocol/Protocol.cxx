@@ -15,7 +15,7 @@ namespace carving
 namespace
 {
 
-// Bump the last digit whenever the layout changes: host and helper must be of one build.
+// Increment the last digit whenever the layout changes: host and helper must be of the same build.
 constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '6' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '6' };
 
@@ -49,7 +49,7 @@ private:
   std::ostream& Out;
 };
 
-/** Reads nothing past the end: once it has failed, everything it reads is empty. */
+/** Never reads past the end. After a failure, all values that it reads are empty. */
 class Reader
 {
 public:
@@ -93,7 +93,7 @@ public:
     }
   }
 
-  /** Everything was there and nothing is left over. */
+  /** Whether all data were read and none remain. */
   bool Complete() const
   {
     return this->Good && this->Left == 0;
@@ -116,7 +116,7 @@ private:
   bool Good = true;
 };
 
-/** The fields of a job, in order; an archive is a Writer or a Reader. */
+/** Visits the fields of a job in order. An archive is a Writer or a Reader. */
 template <class Archive, class JobType>
 void VisitJob(Archive& archive, JobType& job)
 {
@@ -160,7 +160,7 @@ void VisitDecomposition(Archive& archive, Mesh& mesh)
   VisitInput(archive, mesh.Unresolved);
 }
 
-/** The fields of a reply. */
+/** Visits the fields of a reply in order. */
 template <class Archive, class ReplyType>
 void VisitReply(Archive& archive, ReplyType& reply)
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a host and the helper program say to each other.
+ * The messages between a host and the helper program.
  *
- * The host writes a Job to the helper's standard input and reads a Reply from its standard output,
- * both binary. On standard error the helper writes one line per report of progress (see
- * ProgressLine); every other line there is a diagnostic for the user's eyes.
+ * The host writes a Job to the helper's standard input and reads a Reply from its standard output, both binary.
+ * On standard error, the helper writes a line per progress report (ProgressLine). Any other line there is a
+ * diagnostic for the user.
  */
 #ifndef carving_Protocol_h
 #define carving_Protocol_h
@@ -22,41 +22,41 @@ namespace carving
 
 enum class JobKind : int
 {
-  /** Clean, resolve and tetrahedralize the mesh: everything in the reply is filled. */
+  /** Clean, resolve and tetrahedralize the mesh. Sets all of the reply except `Plane`. */
   Tetrahedralize = 1,
-  /** Clean the mesh and count its intersecting pairs: only these are filled. */
+  /** Clean the mesh and count its intersecting pairs. Sets `IntersectingPairs` only. */
   CountIntersections = 2,
-  /** Resolve and triangulate the contours: `Plane` of the reply is filled instead of `Result`. */
+  /** Resolve and triangulate the contours. Sets `Plane` of the reply instead of `Result`. */
   Triangulate = 3
 };
 
-/** What bounds the tetrahedra (section 3.1). */
+/** The initial approximation C0 (section 3.1). */
 enum class InitialApproximation : int
 {
   ConvexHull = 0,
   /** The bounding box, grown by BoxMargin of its diagonal on every side. */
   BoundingBox = 1,
-  /** A closed mesh of genus zero (a simple polygon) that encloses M, given with the job. */
+  /** A closed mesh of genus zero (in the plane, a simple polygon) that encloses M, given with the job. */
   Custom = 2
 };
 constexpr double BoxMargin = 0.01;
 
-/** Whether M has to be a union of faces of tetrahedra. */
+/** Whether M has to be a union of faces of tetrahedra. Enclosing is not in the paper. */
 enum class Conformity : int
 {
-  Exact = 0,     ///< yes, or it is an error
+  Exact = 0,     ///< yes; otherwise the job fails
   Enclosing = 1, ///< no: tetrahedra that M pierces are kept
-  Auto = 2       ///< where it can be done
+  Auto = 2       ///< yes if possible, else Enclosing
 };
 
-/** What the user can set of the helper's work. */
+/** The user's options of the helper's work. */
 struct HelperOptions
 {
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Exact;
-  /** How far what is kept may reach from M, a share of the diagonal of M's bounds; 0: any distance. */
+  /** The largest distance of kept tetrahedra from M, as a fraction of the diagonal of M's bounds; 0: unlimited. */
   double EnclosingTolerance = 0.02;
-  /** How far points may be moved where nothing else is exact, a share of the same; 0: not at all. */
+  /** The largest displacement of points if no other exact strategy works, as the same fraction; 0: none. */
   double SnapTolerance = 0.0;
   double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
@@ -73,7 +73,7 @@ struct HelperOptions
 struct Job : HelperOptions
 {
   JobKind Kind = JobKind::Tetrahedralize;
-  /** Where TetGen does not cope with M, what has solid on both sides may be left out. */
+  /** If TetGen fails with M, a strategy omits triangles with solid on both sides by this rule. */
   SolidRule Solid = SolidRule::SurfaceOnly;
   TriangleMesh Mesh;
   TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
@@ -93,37 +93,37 @@ const char* StageName(Stage stage);
 
 struct Reply
 {
-  /** Empty if the job succeeded; else what went wrong, for the user, and the rest is unspecified. */
+  /** Empty on success; otherwise a message for the user, and the rest is unspecified. */
   std::string Error;
   Tetrahedralization Result;
   Decomposition<2> Plane;
-  std::string Strategy;      ///< how it was tetrahedralized
-  std::string Attempts;      ///< what was tried before, and why it failed, a line each
-  std::string Limits;        ///< limits that ended one of these, a line each
-  double KeptDistance = 0.0; ///< in enclosing mode: how far what is kept reaches from M, to 5 %
-  int PointsAdded = 0;       ///< for that
-  int InteriorDropped = 0;   ///< triangles with solid on both sides that were left out
-  int SolidMatters = 0; ///< not 0: by another rule of what is solid it may come out differently
-  double SnapDistance = 0.0; ///< how far a point of M has been moved at most, by snapping
-  /** Pairs of triangles that met other than in a shared vertex or edge after cleaning. */
+  std::string Strategy;      ///< the strategy that succeeded
+  std::string Attempts;      ///< a line per failed attempt, with the reason
+  std::string Limits;        ///< a line per limit that ended an attempt
+  double KeptDistance = 0.0; ///< in enclosing mode: the distance of kept tetrahedra from M, to 5 %
+  int PointsAdded = 0;       ///< in enclosing mode: by refinement
+  int InteriorDropped = 0;   ///< triangles with solid on both sides that were omitted
+  int SolidMatters = 0;      ///< nonzero if the result may depend on the solid rule
+  double SnapDistance = 0.0; ///< the largest displacement of a point of M by snapping
+  /** Pairs of triangles that met outside of shared vertices and edges after cleaning. */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */
   std::vector<double> StageSeconds;
 };
 
-/** Write to a binary stream; the stream's state tells whether all went well. */
+/** Writes to a binary stream, whose state tells whether that succeeded. */
 void Write(std::ostream& out, const Job& job);
 void Write(std::ostream& out, const Reply& reply);
 
 /**
- * Read what Write wrote. Return an empty string, or what is wrong with the data: a foreign format,
- * another version, an early end, or numbers that cannot be (an index out of range, say). All that
- * the other parts of the core rely on holds for what has been read.
+ * Reads the output of Write. Returns an empty string, or the mistake in the data: a foreign format, another version,
+ * an early end, or an impossible number (an index out of range, say). Accepted data satisfy all contracts that
+ * the other parts of the core rely on.
  */
 std::string Read(const char* data, std::size_t size, Job& job);
 std::string Read(const char* data, std::size_t size, Reply& reply);
 
-/** The line that reports that a fraction of a stage is done; ParseProgress is its inverse. */
+/** The line that reports the finished fraction of a stage, and its inverse. */
 std::string ProgressLine(Stage stage, double fraction);
 bool ParseProgress(const std::string& line, Stage& stage, double& fraction);
 

@@ -18,7 +18,7 @@ namespace carving
 namespace
 {
 
-/** Fills the regions and marks as Void, for now, all that are enclosed. */
+/** Finds the regions. All enclosed ones are marked as Void for now. */
 template <int D>
 void FindRegions(const Decomposition<D>& mesh, Classification& result)
 {
@@ -96,15 +96,15 @@ std::vector<int> FindLargestCells(const Decomposition<D>& mesh, const Classifica
   return largestCells;
 }
 
-/** From one region into another through a triangle of M. */
+/** A way from one region into another, through a triangle of M. */
 struct Crossing
 {
   int Region;
-  int Winding; ///< by how much the winding number changes
-  int Count;   ///< how many triangles are crossed
+  int Winding; ///< change of the winding number
+  int Count;   ///< multiplicity of the triangle
 };
 
-/** The crossings out of each region; the last entry is the outside's. */
+/** The crossings out of each region. The last entry is that of the outside. */
 template <int D>
 std::vector<std::vector<Crossing>> FindCrossings(
   const Decomposition<D>& mesh, const Classification& result)
@@ -133,7 +133,7 @@ std::vector<std::vector<Crossing>> FindCrossings(
   return crossings;
 }
 
-/** All regions that are the outside or joined to it. */
+/** The outside and all regions connected to it. */
 std::vector<int> FindOutside(const Classification& result)
 {
   std::vector<int> outside = { static_cast<int>(result.Regions.size()) };
@@ -147,7 +147,7 @@ std::vector<int> FindOutside(const Classification& result)
   return outside;
 }
 
-/** Winding numbers of a closed M: a walk from the outside adds up the triangles that it crosses. */
+/** Winding numbers of a closed M: a walk from the outside adds up the changes at the triangles it crosses. */
 template <int D>
 void CountWindings(const Decomposition<D>& mesh, Classification& result)
 {
@@ -179,11 +179,11 @@ void CountWindings(const Decomposition<D>& mesh, Classification& result)
   }
 }
 
-// A winding number this far from an integer is a guess; from one half on it makes a region solid.
+// A winding number this far from the nearest integer is a guess; a magnitude of one half makes a region solid.
 constexpr double GuessedFrom = 0.1;
 constexpr double SolidFrom = 0.5;
 
-/** Winding numbers of any M: solid angles, at the centroid of a region's largest tetrahedron. */
+/** Winding numbers of any M: sums of solid angles at the centroid of each region's largest cell. */
 template <int D>
 void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
 {
@@ -211,7 +211,7 @@ void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
   }
 }
 
-/** By parity: solid is what an odd number of triangles separates from the outside. */
+/** Regions separated from the outside by an odd number of triangles are solid. */
 template <int D>
 void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 {
@@ -252,14 +252,14 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
       if (region.Kind != RegionKind::Outside)
       {
         region.Kind = odd ? RegionKind::Solid : RegionKind::Void;
-        // Another way in has another parity.
+        // Guessed if another path has another parity.
         region.Guessed = region.Guessed || ((crossed[from] + crossing.Count) % 2 != 0) != odd;
       }
     }
   }
 }
 
-/** By parity where kept tetrahedra lie on the paths. */
+/** Parity by rays, for enclosing mode, where kept tetrahedra block the paths. */
 void ClassifyByRays(const Tetrahedralization& mesh, Classification& result)
 {
   const std::vector<int> largestCells = FindLargestCells(mesh, result);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which tetrahedra belong to the solid that M bounds and which to its complement.
+ * The classification of tetrahedra into the solid of M, its complement and voids (section 3).
  */
 #ifndef carving_Classification_h
 #define carving_Classification_h
@@ -15,38 +15,38 @@ namespace carving
 
 enum class RegionKind
 {
-  Outside, ///< complement, joined to the outside by a path that crosses no triangle of M
+  Outside, ///< complement, connected to the outside by a path that crosses no triangle of M
   Void,    ///< complement, enclosed by M
   Solid,
-  Kept ///< what M pierces, in enclosing mode; never carved
+  Kept ///< in enclosing mode: the tetrahedra that M pierces; never carved
 };
 
-/** Which of the regions that M encloses are solid. */
+/** The rule that decides which of the regions enclosed by M are solid. Not in the paper. */
 enum class SolidRule : int
 {
   /**
-   * Where the winding number is at least one half in magnitude. Of a closed M it follows from the
-   * outside's by counting crossings; else, and in enclosing mode, it is the sum of solid angles at the
-   * centroid of the region's largest tetrahedron.
+   * Regions with a winding number of at least one half in magnitude. For a closed M, the numbers follow from
+   * counting crossings on paths from the outside. For an open M, and in enclosing mode, they are sums of solid
+   * angles at the centroid of the region's largest tetrahedron.
    */
   NonzeroWinding = 0,
   /**
-   * Where the path of fewest crossings from the outside crosses an odd number of triangles; in enclosing
-   * mode, where a ray from the centroid of the region's largest tetrahedron does.
+   * Regions that the path of fewest crossings from the outside reaches through an odd number of triangles. In
+   * enclosing mode, a ray from the centroid of the region's largest tetrahedron replaces the path.
    */
   EvenOdd = 1,
-  /** None: M is a surface without inside. */
+  /** No region: M is a surface without an inside. */
   SurfaceOnly = 2
 };
 
-/** A maximal set of tetrahedra that non-constraining faces join; all kept ones together are one. */
+/** A maximal set of tetrahedra connected through non-constraining faces. All kept tetrahedra are one region. */
 struct Region
 {
   RegionKind Kind = RegionKind::Outside;
-  double Winding = 0.0; ///< by NonzeroWinding: the winding number, 0 for a region of kind Outside
+  double Winding = 0.0; ///< with NonzeroWinding: the winding number; 0 for kind Outside
   /**
-   * The rule had to guess, since M is open or inconsistently oriented: the winding number is not
-   * within 0.1 of an integer, or parity depends on the path.
+   * The rule had to guess because M is open or inconsistently oriented: the winding number is not within 0.1 of
+   * an integer, or the parity depends on the path.
    */
   bool Guessed = false;
 };
@@ -63,8 +63,8 @@ struct Classification
 };
 
 /**
- * Regions, numbered in the order of their first tetrahedron. What reaches the outside without crossing
- * M is never solid.
+ * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A region that
+ * is connected to the outside is never solid.
  */
 template <int D>
 Classification Classify(const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding);

@@ -59,7 +59,7 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point)
     const Point a = mesh.Points[corner[0]] - point;
     const Point b = mesh.Points[corner[1]] - point;
     const Point c = mesh.Points[corner[2]] - point;
-    // The ray meets the triangle if it passes all edges on one side, and ahead.
+    // The ray crosses the triangle if all edges pass it on the same side and the triangle lies ahead.
     const double ab = Dot(direction, Cross(a, b)), bc = Dot(direction, Cross(b, c)),
                  ca = Dot(direction, Cross(c, a));
     const bool within = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
@@ -74,7 +74,7 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point)
 template <int D>
 bool IsClosed(const ResolvedInput<D>& input)
 {
-  // The ridges of every facet, in the plane its end points, with the signed number of passages.
+  // Each ridge (in the plane, each end) of each facet, with the signed number of traversals.
   using Ridge = std::array<int, D - 1>;
   std::vector<std::pair<Ridge, int>> ridges;
   ridges.reserve(D * input.Facets.size());

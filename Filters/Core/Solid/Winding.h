@@ -13,28 +13,28 @@
 namespace carving
 {
 
-/** Signed solid angle of a triangle: positive where the point lies behind it. */
+/** The signed solid angle of a triangle, positive where the point lies behind the triangle. */
 double SolidAngle(const ResolvedMesh& mesh, std::size_t triangle, const Point& point);
 
 /**
- * Generalized winding number of M around a point that lies on no facet: the sum of the signed solid
- * angles of all triangles, or of the signed angles of all edges in the projection along z, each times
- * its entry in `SignedMultiplicities`, as a share of the full angle. An integer where M is closed and consistently
- * oriented.
+ * The generalized winding number of M around a point that lies on no facet. In space, the sum of the signed
+ * solid angles of all triangles, each times its signed multiplicity, divided by 4 pi; in the plane, the sum of
+ * the signed angles of all edges, divided by 2 pi. An integer if M is closed and consistently oriented.
  */
 double WindingNumber(const ResolvedMesh& mesh, const Point& point);
 double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 
 /**
- * How many triangles of M, merged ones by their number, a ray from a point crosses, in a direction that
- * no model is aligned with. In floating point: a ray that runs along a triangle may count it or not.
+ * The number of triangles of M that a ray from a point crosses, counted with their multiplicities. No model
+ * is likely to be aligned with the ray's direction. In floating point: a triangle that contains a part of the
+ * ray may or may not be counted.
  */
 int CountCrossings(const ResolvedMesh& mesh, const Point& point);
 
 /**
- * Whether every edge of M (every vertex, in the plane) is passed as often in one direction as in the
- * other, counting `SignedMultiplicities`. Then the winding number is an integer everywhere off M and changes only
- * across facets.
+ * Whether the facets of M, counted with their signed multiplicities, traverse every edge (in the plane, every
+ * vertex) as often in one direction as in the other. If so, the winding number is an integer everywhere off M and
+ * changes across facets only.
  */
 template <int D>
 bool IsClosed(const ResolvedInput<D>& input);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/WindingTree.h"
 
+#include "Core/Mesh/MedianSplit.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/Winding.h"
 
@@ -13,15 +14,15 @@ namespace
 
 constexpr int LeafSize = 4;
 
-/** A node is far from a point at `Opening` of its radii. */
+/** A node is distant from a point if the distance of its center exceeds `Opening` radii. */
 struct Accuracy
 {
   double Opening;
-  double Margin; ///< well above the largest error seen on soups and open shells
+  double Margin; ///< well above the largest error measured on soups and open shells
 };
 constexpr Accuracy Accuracies[] = { { 2.0, 8e-2 }, { 4.0, 2e-2 }, { 8.0, 5e-3 }, { 16.0, 5e-4 } };
 
-/** Normal to a triangle, as long as its area. */
+/** The normal of a triangle with the length of its area. */
 Point AreaVector(const ResolvedMesh& mesh, int t)
 {
   const Triangle& corner = mesh.Facets[t];
@@ -83,15 +84,11 @@ void WindingTree::Build(std::vector<Item>& items, int first, int last)
       upper[i] = std::max(upper[i], item->Centroid[i]);
     }
   }
-  const Point extent = upper - lower;
-  const auto axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
-  const int middle = first + (last - first) / 2;
-  std::nth_element(begin, items.begin() + middle, end,
-    [axis](const Item& s, const Item& t)
-    {
-      return s.Centroid[axis] < t.Centroid[axis] ||
-        (s.Centroid[axis] == t.Centroid[axis] && s.Triangle < t.Triangle);
-    });
+  const int middle = static_cast<int>(
+    SplitAtMedian(
+      begin, end, upper - lower, [](const Item& item) -> const Point& { return item.Centroid; },
+      [](const Item& item) { return item.Triangle; }) -
+    items.begin());
   this->Build(items, first, middle);
   this->Nodes[index].Second = static_cast<int>(this->Nodes.size());
   this->Build(items, middle, last);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Winding numbers of a mesh around many points, faster than one sum over all triangles for each.
+ * Fast winding numbers of a mesh around many points.
  */
 #ifndef carving_WindingTree_h
 #define carving_WindingTree_h
@@ -15,30 +15,30 @@ namespace carving
 {
 
 /**
- * Signed solid angles summed up over a tree of triangles (Barill et al., "Fast winding numbers for
- * soups and clouds", 2018): what is far away counts as a whole, by the first two terms of its
- * expansion around its center of area. O(n log n) to build, about O(log n) a point.
+ * A tree of triangles for hierarchical sums of signed solid angles (Barill et al., "Fast winding numbers for
+ * soups and clouds", 2018). A distant node contributes the first two terms of its expansion around its center
+ * of area. Building takes O(n log n) time, a query about O(log n).
  */
 class WindingTree
 {
 public:
   explicit WindingTree(const ResolvedMesh& mesh);
 
-  /**
-   * The winding number around a point that lies on no facet, to about 0.02. A number so close to one
-   * of `thresholds` in distance from an integer that its error may decide is summed up exactly.
+  /* * The winding number around a point that lies on no facet, to about 0.02. `thresholds` are distances from the
+ * nearest integer: where the error could move the result across one of them, the sum is refined until it cannot.
+
    */
   double Measure(const Point& point, const std::vector<double>& thresholds = {}) const;
 
 private:
   struct Node
   {
-    int First, Last;           ///< its triangles
-    int Second;                ///< its second child; the first comes next; -1: a leaf
+    int First, Last;           ///< triangles First to Last - 1
+    int Second;                ///< the second child; the first is the next node; -1 for a leaf
     Point Center;              ///< of area
-    double Radius;             ///< of a ball around Center that holds the triangles
-    Point Area;                ///< the sum of the triangles' area vectors, times their windings
-    std::array<Point, 3> Skew; ///< the same, each times (its centroid - Center)
+    double Radius;             ///< of a ball around Center that contains the triangles
+    Point Area;                ///< the sum of area vector times signed multiplicity
+    std::array<Point, 3> Skew; ///< the same sum, each term times (centroid - Center)
   };
 
   struct Item

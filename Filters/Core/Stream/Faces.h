@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The faces of a stored stream and the steps at which each is part of the approximation.
+ * The faces of a stream, and the range of steps in which each is part of the approximation.
  */
 #ifndef carving_Faces_h
 #define carving_Faces_h
@@ -15,19 +15,19 @@
 namespace carving
 {
 
-/** A face that looks the same on every approximation C_j with Birth <= j < Death. */
+/** A face that is unchanged on every approximation C_j with Birth <= j < Death. */
 template <int D>
 struct FaceLife
 {
-  std::array<int, D> Corners; ///< oriented outward; of a fold, as M has it
-  int Constraint;             ///< the facet of M that it lies on, -1 if none
+  std::array<int, D> Corners; ///< oriented outward; those of a fold as in M
+  int Constraint;             ///< the facet of M that it lies on, or -1
   int Behind;                 ///< the half-face behind it, or Outside or Solid
   bool Fold;                  ///< the exterior is on both sides
   int Birth;
   int Death;
 };
 
-/** The step at which the exterior comes to a half-face. */
+/** The step from which on the cell of a half-face is exterior. */
 template <int D>
 int StepAt(const StoredStream<D>& stream, int halfFace)
 {
@@ -37,7 +37,7 @@ int StepAt(const StoredStream<D>& stream, int halfFace)
 }
 
 /**
- * The half-face in front of a face, or Outside; or, on the approximations that do not show it, Solid.
+ * The half-face in front of a face, or Outside. Solid is possible only on approximations without the face.
  */
 template <int D>
 int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
@@ -52,10 +52,10 @@ int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
 }
 
 /**
- * Calls `visit(const FaceLife<D>&)` for each face that shows on some approximation from C_first to
- * C_last, first those of the carved surface, then those of M. A face of the carved surface shows while
- * it has the exterior on one side only; a facet of M from the moment it has it on any side, and it
- * changes into a fold when it has it on both.
+ * Calls `visit(const FaceLife<D>&)` for each face that is part of some approximation from C_first to C_last:
+ * first the carved faces, then the facets of M. A carved face is part of an approximation while exactly one of
+ * its sides is exterior. A facet of M is, from the first step on in which a side is exterior, and becomes a fold
+ * when both are. Linear in the number of cells.
  */
 template <int D, class Visitor>
 void ForEachFace(
@@ -73,7 +73,7 @@ void ForEachFace(
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     FetchAhead(mesh, cell, stream.Order.Step);
-    // A face belongs to the one of its cells that is carved later, and is behind it.
+    // A face is visited from the cell behind it, the one of its two cells that is carved later.
     const int death = stream.Order.Step[cell];
     if (death <= first)
     {
@@ -83,7 +83,7 @@ void ForEachFace(
     {
       const int neighbor = mesh.Neighbors[cell][f];
       const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
-      // First what hardly any face of a single level gets past.
+      // The first condition rejects nearly all faces when a single level is extracted.
       if (birth <= last && birth < death && mesh.Constraints[cell][f] < 0)
       {
         visit(FaceLife<D>{

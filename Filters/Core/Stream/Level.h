@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * One approximation of a stream, written out as a surface.
+ * The surface of one approximation of a stream.
  */
 #ifndef carving_Level_h
 #define carving_Level_h
@@ -15,8 +15,8 @@ namespace carving
 {
 
 /**
- * The faces of C_step, the boundary of the solid and the cells that are not yet carved, oriented
- * outward, and the folds. Corners are indices into the stream's points.
+ * The faces of C_step, oriented outward: the boundary of the solid and the remaining cells, and the folds.
+ * Corners are indices into the stream's points.
  */
 template <int D>
 struct Level
@@ -25,11 +25,11 @@ struct Level
   std::vector<FaceLife<D>> Faces;
 };
 
-/** C_step, 0 <= step <= stream.Order.LastStep(). */
+/** C_step, where 0 <= step <= stream.Order.LastStep(). */
 template <int D>
 Level<D> ExtractLevel(const StoredStream<D>& stream, int step);
 
-/** C_step for each of several ascending steps, at hardly more than the expense of one. */
+/** C_step for several ascending steps, in one pass over the faces. */
 template <int D>
 std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::vector<int>& steps);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Turning around a ridge: an edge between the triangles of a surface, a vertex between the edges of a
- * contour.
+ * Rotation through the cells around a ridge. A ridge is an edge of a triangle, or an end of an edge in the plane.
  */
 #ifndef carving_Ridges_h
 #define carving_Ridges_h
@@ -45,10 +44,10 @@ int AcrossCell(const Decomposition<D>& mesh, int halfFace, const std::array<int,
       return HalfFace<D>::Of(cell, corner);
     }
   }
-  return -1; // not for a ridge of the face
+  return -1; // the ridge is not one of this face
 }
 
-/** The half-face of the neighboring cell on the same face; there must be a neighbor. */
+/** The same face as a half-face of the neighboring cell, which must exist. */
 template <int D>
 int AcrossFace(const Decomposition<D>& mesh, int halfFace)
 {
@@ -64,10 +63,10 @@ int AcrossFace(const Decomposition<D>& mesh, int halfFace)
       return HalfFace<D>::Of(neighbor, corner);
     }
   }
-  return -1; // two cells with the same corners, which there are not
+  return -1; // no two cells have the same corners
 }
 
-/** The half-face or Solid or Outside on the other side of a half-face. */
+/** The other side of a half-face: a half-face, Solid or Outside. */
 template <int D>
 int Across(const Decomposition<D>& mesh, int halfFace)
 {

@@ -9,7 +9,7 @@ namespace carving
 namespace
 {
 
-/** Sides from the neighbors and constraints of all cells that are not solid. */
+/** Sets `Sides` from the constraints of the stored cells and from `solidSides`. */
 template <int D>
 void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All that is needed to give any approximation of a carving, without the cells of the solid.
+ * The data from which any approximation of a carving can be extracted.
  */
 #ifndef carving_StoredStream_h
 #define carving_StoredStream_h
@@ -16,14 +16,14 @@
 namespace carving
 {
 
-/** What of a fold (a facet of M with the exterior on both sides) shows on a level. */
+/** How a level shows a fold, a facet of M with the exterior on both sides. */
 enum class FoldSides : int
 {
   One, ///< the facet once, oriented as M has it
   Both ///< the facet and its opposite-facing copy
 };
 
-/** A face of a cell as a number: (D + 1) * cell + the corner that it is opposite to. */
+/** A face as seen from one of its cells, as a number: (D + 1) * cell + opposite corner. */
 template <int D>
 struct HalfFace
 {
@@ -42,47 +42,44 @@ struct HalfFace
 };
 
 /**
- * The stored stream: the complement with the order in which it is carved, and on which side of M the
- * solid is.
+ * The complement with the order in which it is carved, and the sides of M on which the solid lies.
  */
 template <int D>
 struct StoredStream
 {
   /**
-   * The cells of the complement only: a face on the solid has the neighbor Solid. All cells in enclosing
-   * mode, since the solid and what is kept may meet in faces that are not of M, and in the plane, since
-   * levels are cut across the solid there.
+   * The cells of the complement; a face on the solid has the neighbor Solid. In two cases also the cells of
+   * the solid: in enclosing mode, where solid and kept cells may share faces that are not of M, and in the
+   * plane, where levels are cut across the solid.
    */
   Decomposition<D> Mesh;
   /** Per cell of `Mesh`. */
   Stream Order;
-  /** By which `Order` has been made. */
+  /** The measure that `Order` was carved with. */
   PriorityMeasure Measure = PriorityMeasure::LongestEdge;
   FoldSides Folds = FoldSides::One;
-  /** Per cell: its region, as numbered by the classification. */
+  /** Per cell: its region in the classification. */
   std::vector<int> Regions;
   /**
    * Per facet of M, behind it and in front of it: the half-face of a cell of `Mesh`, Outside or Solid.
-   * Faces the way of `Mesh.Surface.Facets`.
    */
   std::vector<std::array<int, 2>> Sides;
 };
 
-/** Leaves the cells of the solid out where they are not needed, see StoredStream::Mesh. */
+/** Stores a carving. Omits the cells of the solid where levels do not need them; see StoredStream::Mesh. */
 template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
 
 /**
- * Finds `Mesh.Neighbors`, `Mesh.Constraints` and `Sides` anew from the cells and the facets, where
- * `solidSides` has per facet 1 for solid behind it plus 2 for solid in front of it: a stream that has
- * been read from a file is then as `Store` made it. Returns false if a face belongs to more than two
- * cells, cells overlap facets in an impossible way, or some have a corner twice.
+ * Restores a stream that was read from a file: computes `Mesh.Neighbors`, `Mesh.Constraints` and `Sides` from
+ * cells and facets. `solidSides` has per facet 1 for solid behind it plus 2 for solid in front of it. Returns
+ * false if more than two cells share a face, two facets are equal, or a cell or facet has a corner twice.
  */
 template <int D>
 bool Connect(StoredStream<D>& stream, const std::vector<int>& solidSides);
 
-/** The `solidSides` of Connect. */
+/** The `solidSides` that Connect needs. */
 template <int D>
 std::vector<int> GetSolidSides(const StoredStream<D>& stream);
 

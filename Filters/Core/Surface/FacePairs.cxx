@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surface/FacePairs.h"
 
+#include "Core/Mesh/Buckets.h"
+
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace carving
@@ -35,35 +36,29 @@ public:
 
 private:
   using Ridge = std::array<int, D - 1>;
-  using SideAt = std::pair<int, int>; ///< the last corner of its ridge, the side
+  using SideAt = std::pair<int, int>; ///< a key, the side
 
-  /** Groups the sides of all faces by their ridges; joins the two of a regular one. */
+  /** Groups the sides of all faces by ridge. Joins the two sides of a regular ridge. */
   void FindRidges()
   {
     const int numberOfSides = static_cast<int>(this->Pairs.Partner.size());
-    std::vector<int> ends(this->Mesh.Surface.Points.size() + 1, 0);
-    std::vector<Ridge> ridges(numberOfSides);
-    for (int side = 0; side < numberOfSides; ++side)
-    {
-      ridges[side] = RidgeAt<D>(this->Shown, side);
-      ++ends[ridges[side][0] + 1];
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    const std::vector<int> begins = ends;
-    std::vector<SideAt> sides(numberOfSides);
-    for (int side = 0; side < numberOfSides; ++side)
-    {
-      sides[ends[ridges[side][0]]++] = { ridges[side].back(), side };
-    }
-    for (std::size_t vertex = 0; vertex + 1 < begins.size(); ++vertex)
-    {
-      const auto end = sides.begin() + begins[vertex + 1];
-      auto first = sides.begin() + begins[vertex];
-      std::sort(first, end);
-      while (first != end)
+    Buckets<SideAt> sides(this->Mesh.Surface.Points.size(),
+      [&](auto&& visit)
       {
-        const auto last = std::find_if(
-          first, end, [last = first->first](const SideAt& side) { return side.first != last; });
+        for (int side = 0; side < numberOfSides; ++side)
+        {
+          const Ridge ridge = RidgeAt<D>(this->Shown, side);
+          visit(ridge[0], SideAt(ridge.back(), side));
+        }
+      });
+    for (int vertex = 0; vertex < sides.GetNumberOfBuckets(); ++vertex)
+    {
+      const auto bucket = sides[vertex];
+      std::sort(bucket.begin(), bucket.end());
+      for (auto first = bucket.begin(); first != bucket.end();)
+      {
+        const auto last = std::find_if(first, bucket.end(),
+          [last = first->first](const SideAt& side) { return side.first != last; });
         this->PairGroup(first, last);
         first = last;
       }
@@ -82,7 +77,7 @@ private:
     }
   }
 
-  /** Joins two faces, if they are free, that pass their ridge in opposite directions. */
+  /** Joins two sides if both are free and traverse their ridge in opposite directions. */
   bool JoinIfOpposite(int a, int b)
   {
     const bool fit = this->Pairs.Partner[a] < 0 && this->Pairs.Partner[b] < 0 &&
@@ -94,7 +89,7 @@ private:
     return fit;
   }
 
-  /** The same if both are folds, or neither is. */
+  /** Joins two such sides if both faces are folds, or neither is. */
   bool PairIfAlike(int a, int b)
   {
     return FaceAt<D>(this->Shown, a).Fold == FaceAt<D>(this->Shown, b).Fold &&
@@ -137,13 +132,13 @@ private:
     return this->Mesh.Constraints[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
   }
 
-  /** The half-face beside a face, in the exterior or else in what it bounds; or Outside. */
+  /** The half-face in the exterior next to a face, or else the one behind the face; or Outside. */
   int Beside(const FaceLife<D>& face, bool exterior) const
   {
     return exterior ? InFront(this->Stored, face) : face.Behind;
   }
 
-  /** The half-face at which a turn ends that starts at one, and stays in the exterior or out of it. */
+  /** Rotates around a ridge through exterior cells, or else through the others, and returns the last half-face. */
   int Turn(int start, const Ridge& ridge, bool exterior) const
   {
     for (int at = start; at >= 0;)
@@ -152,7 +147,7 @@ private:
       const bool isFold =
         exterior && this->ConstraintOf(exit) >= 0 && this->Stored.Folds == FoldSides::Both;
       at = Across(this->Mesh, exit);
-      // A stream that is damaged may have no face where it started.
+      // In a damaged stream the rotation may return to its start.
       if (isFold || at == start || this->IsExterior(at) != exterior)
       {
         return exit;
@@ -163,7 +158,7 @@ private:
 
   void PairAcross(const std::vector<int>& sides, bool exterior)
   {
-    std::vector<SideAt> besides; // a half-face beside a face, a side of that
+    std::vector<SideAt> besides; // the half-face next to a face, a side of the face
     for (const int side : sides)
     {
       besides.emplace_back(this->Beside(FaceAt<D>(this->Shown, side), exterior), side);
@@ -185,7 +180,7 @@ private:
         this->JoinIfOpposite(side, other->second);
       }
     }
-    if (atOutside.size() == 2) // C0 is a manifold: two turns end there
+    if (atOutside.size() == 2) // C0 is a manifold: two rotations end there
     {
       this->JoinIfOpposite(atOutside[0], atOutside[1]);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which two faces of a level belong together at a ridge where more than two meet.
+ * The pairing of faces at ridges where more than two faces of a level meet.
  */
 #ifndef carving_FacePairs_h
 #define carving_FacePairs_h
@@ -15,12 +15,12 @@
 namespace carving
 {
 
-/** The ridges of a level: that opposite to corner k of face i is its side D * i + k. */
+/** The joined sides of a level's faces. Side D * i + k of a level is the ridge opposite to corner k of face i. */
 struct FacePairs
 {
-  /** Per side: the side that it is joined with at their ridge, -1 for a boundary. */
+  /** Per side: the side that it is joined to at their common ridge; -1 at a boundary. */
   std::vector<int> Partner;
-  /** The sides at each ridge that is more than two faces' of one kind and orientation. */
+  /** Per ridge that is not shared by just two matching faces: the sides there. */
   std::vector<std::vector<int>> Crowded;
 
   void Join(int a, int b)
@@ -31,10 +31,10 @@ struct FacePairs
 };
 
 /**
- * Pairs the faces around each ridge by turns through the cells around it, never by angles: in space across
- * the exterior between them, in the plane, where two parts can only touch in a point, across the solid.
- * Folds of one side only are no part of the exterior's boundary, and paired with each other. With both sides
- * of folds, faces at a ridge of one are paired across the exterior.
+ * Pairs the faces around each ridge by rotation through the cells around the ridge, never by angles. Two paired
+ * faces have the exterior between them in space, and the solid between them in the plane, where two parts can
+ * only touch in a point. Folds that show one side do not bound the exterior and are paired with each other.
+ * Folds that show both sides are paired across the exterior, as are the other faces at their ridges.
  */
 template <int D>
 FacePairs PairFaces(const StoredStream<D>& stream, const Level<D>& level);
@@ -51,7 +51,7 @@ std::array<int, D - 1> RidgeAt(const Level<D>& level, int side)
   return RidgeOf<D>(FaceAt(level, side).Corners, side % D);
 }
 
-/** Whether the face passes the ridge in the ascending direction of its corners. */
+/** Whether the face traverses the ridge towards its greater corner. */
 template <int D>
 bool IsForward(const Level<D>& level, int side)
 {

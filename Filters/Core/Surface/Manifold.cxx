@@ -13,7 +13,7 @@ namespace carving
 namespace
 {
 
-/** Corner k of face i as the number D * i + k, like the side opposite to it. */
+/** Corner k of face i has the number D * i + k, which is also that of the opposite side. */
 template <int D>
 class Cutter
 {
@@ -27,7 +27,7 @@ public:
   ManifoldLevel<D> Cut()
   {
     this->FindFans();
-    // Separating only ever splits fans, so that what is separate stays so.
+    // The loops end: Separate only ever splits fans.
     for (const std::vector<int>& group : this->Pairs.Crowded)
     {
       while (this->SeparateCollisions(group))
@@ -38,7 +38,7 @@ public:
   }
 
 private:
-  /** The fans that the pairs make of corners. */
+  /** Unites corners at the same vertex of joined faces into fans. */
   void FindFans()
   {
     const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
@@ -72,7 +72,7 @@ private:
     return side / D * D + static_cast<int>(found - corners.begin());
   }
 
-  /** The fans that have the ends of a side's ridge. */
+  /** The fans at the corners of a side's ridge. */
   std::array<int, D - 1> FansAt(int side) const
   {
     const std::array<int, D - 1> ridge = RidgeAt<D>(this->Shown, side);
@@ -83,8 +83,8 @@ private:
   }
 
   /**
-   * Changes pairs where two pairs, or loose faces, of a ridge have the same vertices. Returns whether there
-   * have been any: those that come after a changed pair may still have.
+   * Changes the pairing where two pairs or unpaired faces at a ridge would share all vertices. Returns whether
+   * there were any; the caller repeats, since a change can leave collisions among pairs already compared.
    */
   bool SeparateCollisions(const std::vector<int>& group)
   {
@@ -94,7 +94,7 @@ private:
     {
       const std::array<int, D - 1> fans = this->FansAt(side);
       int& other = sideAt.emplace(fans, side).first->second;
-      if (this->FansAt(other) != fans) // it has been separated from yet another since
+      if (this->FansAt(other) != fans) // changed since by another separation
       {
         other = side;
       }
@@ -107,38 +107,30 @@ private:
     return any;
   }
 
-  /** Makes the corners that joined sides lead to, around the vertex of one, a fan of their own. */
+  /** Makes a new fan of a corner and of all corners at its vertex that joined sides connect to it. */
   void RenewFan(int start)
   {
     const int vertex = FaceAt<D>(this->Shown, start).Corners[start % D];
     const int fan = this->NumberOfFans++;
     this->FanOfCorner[start] = fan;
-    for (int k = 1; k < D; ++k)
+    for (int k = 1; k < D; ++k) // both ways around the vertex
     {
-      int side = start / D * D + (start % D + k) % D;
-      for (;;)
+      int side = this->Pairs.Partner[start / D * D + (start % D + k) % D];
+      while (side >= 0)
       {
-        side = this->Pairs.Partner[side];
-        if (side < 0)
-        {
-          break; // a boundary: try the other way round
-        }
         const int corner = this->CornerAt(side, vertex);
         if (this->FanOfCorner[corner] == fan)
         {
-          return;
+          return; // all the way around
         }
         this->FanOfCorner[corner] = fan;
-        if (D == 2)
-        {
-          break;
-        }
-        side = corner / D * D + (D - corner % D - side % D); // the third of 0, 1, 2
+        const int exit = corner / D * D + (D - corner % D - side % D); // the third of 0, 1, 2
+        side = D == 2 ? -1 : this->Pairs.Partner[exit];
       }
     }
   }
 
-  /** Renews the fans that have the ends of a side's ridge. */
+  /** Renews the fans at the corners of a side's ridge. */
   void RenewFansAt(int side)
   {
     for (const int vertex : RidgeAt<D>(this->Shown, side))
@@ -152,7 +144,7 @@ private:
     const int partnerOfA = this->Pairs.Partner[a], partnerOfB = this->Pairs.Partner[b];
     if (partnerOfA >= 0 && partnerOfB >= 0)
     {
-      // One fan passes the ridge twice; crossed over, it becomes two.
+      // One fan contains the ridge twice. Exchanging the partners splits it in two.
       const bool opposite = IsForward<D>(this->Shown, a) != IsForward<D>(this->Shown, b);
       this->Pairs.Join(a, opposite ? b : partnerOfB);
       this->Pairs.Join(partnerOfA, opposite ? partnerOfB : b);
@@ -162,7 +154,7 @@ private:
     this->Isolate(partnerOfA < 0 ? a : b);
   }
 
-  /** Cuts a face off on all sides. */
+  /** Cuts a face off at all of its sides. */
   void Isolate(int side)
   {
     for (int k = 0; k < D; ++k)
@@ -184,7 +176,7 @@ private:
   ManifoldLevel<D> Number()
   {
     const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
-    std::vector<int> firsts; // one corner for each vertex
+    std::vector<int> firsts; // one corner per vertex
     std::vector<char> isNumbered(this->NumberOfFans, 0);
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
@@ -216,8 +208,8 @@ private:
 
   const Level<D>& Shown;
   FacePairs Pairs;
-  std::vector<int> FanOfCorner; ///< corners of one fan have the same vertex
-  int NumberOfFans = 0;         ///< that have been counted, some of which may be no more
+  std::vector<int> FanOfCorner; ///< corners of one fan become one vertex
+  int NumberOfFans = 0;         ///< numbers in use, some of which no longer occur
 };
 
 } // namespace

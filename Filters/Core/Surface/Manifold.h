@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Cuts a level into oriented manifolds (section 3.3 and its reference 27, Gueziec et al., "Cutting and
+ * Cutting of a level into oriented manifolds (section 3.3 and its reference 27, Gueziec et al., "Cutting and
  * Stitching: Converting Sets of Polygons to Manifold Surfaces").
  */
 #ifndef carving_Manifold_h
@@ -15,35 +15,34 @@
 namespace carving
 {
 
-/** The faces of a level in the same order, with vertices of their own where the surface is cut. */
+/** The faces of a level in the same order. Where the surface is cut, they have different vertices. */
 template <int D>
 struct ManifoldLevel
 {
   std::vector<std::array<int, D>> Faces;
-  /** Per vertex: the point of the stream that it is (a copy of); ascending. */
+  /** Per vertex: the point of the stream that it is a copy of; ascending. */
   std::vector<int> Points;
 };
 
 /**
- * Cuts along ridges (edges; in the plane, vertices) with more than two faces and at vertices whose
- * faces are not one fan.
+ * Cuts along ridges (edges; in the plane, vertices) with more than two faces, and at vertices whose faces do
+ * not form one fan.
  *
- * Where the surface has several sheets at an edge, two faces stay joined if the exterior lies between them:
- * a turn through it, from cell to cell around the edge, leads from one to the other. So what touches along
- * edges stays joined, and the exterior is cut in two there; the surface is closed wherever it bounds a
- * solid. Folds are joined with each other only, two at a ridge that has no other, if they are oriented
- * alike; with both sides of folds on the level, like all other
- * faces.
+ * At an edge of more than two faces, two faces stay joined if the exterior lies between them, that is, if a
+ * rotation through exterior cells around the edge leads from one to the other. Parts that touch along edges thus
+ * stay joined, the exterior is cut in two there, and the surface is closed wherever it bounds a solid. Folds that
+ * show one side are joined to each other only: two at a ridge without other folds, if their orientations agree.
+ * Folds that show both sides are treated like all other faces.
  *
- * Where what touches is one edge alone, its two copies would have the same vertices. There, faces stay joined
- * if the solid lies between them, and what touches is cut apart; a fold is cut off. As at single vertices,
- * that can only separate pieces or end a tunnel: the surface has no more tunnels than the closed complex.
- * In the plane too, what touches in a vertex is cut apart.
+ * Where parts touch in a single edge, this would leave two copies of the edge with the same vertices. Faces there
+ * stay joined if the solid lies between them, so that the parts are cut apart, and a fold is cut off. Such a cut,
+ * like one at a single vertex, can only separate pieces or end a tunnel: the surface has no more tunnels than the
+ * closed complex. In the plane, parts that touch in a vertex are cut apart, too.
  */
 template <int D>
 ManifoldLevel<D> CutIntoManifold(const StoredStream<D>& stream, const Level<D>& level);
 
-/** The level as it is: one vertex per point. */
+/** The level without cuts: one vertex per point. */
 template <int D>
 ManifoldLevel<D> KeepUncut(const Level<D>& level);
 

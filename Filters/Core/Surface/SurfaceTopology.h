@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Components and genus of a level's own surface.
+ * Components and genus of a level's surface. Not in the paper.
  */
 #ifndef carving_SurfaceTopology_h
 #define carving_SurfaceTopology_h
@@ -13,20 +13,20 @@ namespace carving
 
 struct SurfaceTopology
 {
-  /** Sets of faces that are joined by shared vertices; copies of a point are different vertices. */
+  /** Sets of faces connected through shared vertices. Copies of a point are different vertices. */
   int Components = 0;
-  /** The sum of all components' genus; -1 where some edge has not one face on either side. */
+  /** The sum of the genus of all components; -1 if the surface is open. */
   int Genus = 0;
 };
 
 /**
- * Of triangles that have been cut into oriented manifolds. Other than of the closed complex, of which
- * solids that touch in one vertex or edge are one component, and which knows of the solid between
- * surfaces: a void's wall is a component here. O(n log n).
+ * Measures triangles that have been cut into oriented manifolds, in O(n log n) time. The numbers differ from those
+ * of the closed complex K: in K, solids that touch in a vertex or an edge are one component; here, the wall of a void
+ * is a component.
  */
 SurfaceTopology MeasureSurface(const ManifoldLevel<3>& level);
 
-/** The components alone, of any surface and of edges in a plane. */
+/** The number of components of any surface, or of edges in a plane. */
 template <int D>
 int CountSurfaceComponents(const ManifoldLevel<D>& level);
 

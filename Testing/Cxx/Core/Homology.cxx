@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Homology.h"
+#include "Core/Mesh/BettiNumbers.h"
 
 #include <algorithm>
 #include <iterator>

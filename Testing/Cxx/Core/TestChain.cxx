@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Stream/Chain.h"
+#include "Chain.h"
 #include "Core/Stream/Level.h"
 #include "SmallMeshes.h"
 

@@ -3,6 +3,7 @@
  * @file
  * Betti numbers, of complexes of which they are known.
  */
+#include "Core/Mesh/BettiNumbers.h"
 #include "Homology.h"
 #include "Shapes.h"
 

@@ -185,9 +185,9 @@ TEST(Protocol, RejectsImpossibleNumbers)
   reject("not finite", [](auto& mesh) { mesh.Points[3][1] = HUGE_VAL; });
   reject("not finite", [](auto& mesh) { mesh.Points[0][2] = std::nan(""); });
   reject("corner twice", [](auto& mesh) { mesh.Facets[1][2] = mesh.Facets[1][0]; });
-  reject("winding or count", [](auto& mesh) { mesh.SignedMultiplicities[2] = -2; });
-  reject("winding or count", [](auto& mesh) { mesh.Multiplicities[2] = -1; });
-  reject("winding or count",
+  reject("impossible multiplicity", [](auto& mesh) { mesh.SignedMultiplicities[2] = -2; });
+  reject("impossible multiplicity", [](auto& mesh) { mesh.Multiplicities[2] = -1; });
+  reject("impossible multiplicity",
     [](auto& mesh)
     { mesh.Multiplicities[0] = mesh.Multiplicities[1] = std::numeric_limits<int>::max(); });
   reject("differ in length", [](auto& mesh) { mesh.PointSources.pop_back(); });

@@ -4,6 +4,7 @@
  * Components, tunnels and voids of streams that are small enough to be worked out by hand.
  */
 #include "Core/Measure/StreamTopology.h"
+#include "Core/Mesh/BettiNumbers.h"
 #include "Homology.h"
 #include "SmallMeshes.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PropertyChecks.h"
+#include "Core/Mesh/BettiNumbers.h"
 
 #include "Checks.h"
 #include "Core/Measure/LevelSelection.h"

@@ -4,6 +4,7 @@
  * Budgets on random meshes and on those whose topology is known: what the profile says is judged by
  * Betti numbers from boundary matrices, which know nothing of how carving decides.
  */
+#include "Core/Mesh/BettiNumbers.h"
 #include "Figures.h"
 #include "GluedCount.h"
 #include "HelperRun.h"

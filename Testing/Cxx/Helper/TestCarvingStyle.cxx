@@ -5,6 +5,7 @@
  * level's vertices that lie deep below the initial approximation, at half of the vertices.
  */
 #include "Contours.h"
+#include "Core/Carving/Carver.h"
 #include "Core/Carving/Priority.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Measure/Profile.h"

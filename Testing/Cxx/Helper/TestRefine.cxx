@@ -5,6 +5,7 @@
  */
 #include "Checks.h"
 #include "Core/Carving/Priority.h"
+#include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
 #include "Shapes.h"

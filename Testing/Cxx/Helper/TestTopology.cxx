@@ -6,6 +6,7 @@
  */
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Measure/StreamTopology.h"
+#include "Core/Mesh/BettiNumbers.h"
 #include "Figures.h"
 #include "HelperRun.h"
 #include "Homology.h"

@@ -36,7 +36,7 @@ def read(name):
 
 def quoted():
     """What the table quotes: of its first column, with which messages begin, and of the second, parts of them."""
-    table = read("README.md").split("## Errors and their meaning")[1].split("\n## ")[0]
+    table = read("README.md").split("## Messages and their meaning")[1].split("\n## ")[0]
     columns = [[], []]
     for row in re.findall(r"^\| (.*) \|$", table, re.M):
         for column, cell in zip(columns, row.split(" | ")):
@@ -129,7 +129,7 @@ class TestMessagesInTheSource(unittest.TestCase):
                     self.assertTrue(
                         any(begin.startswith(message.strip()) or (message.startswith(begin) and begin.count(" ") > 2)
                             for begin in known),
-                        'list it under "Errors and their meaning"')
+                        'list it under "Messages and their meaning"')
 
 
 if __name__ == "__main__":

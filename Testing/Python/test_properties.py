@@ -42,7 +42,7 @@ def change(instance, name):
 def documented():
     """The README's table of properties: names and defaults."""
     with open(os.path.join(os.environ["ROOT"], "README.md"), encoding="utf-8") as file:
-        table = file.read().split("### Properties")[1].split("\n### ")[0]
+        table = file.read().split("## Properties")[1].split("\n##")[0]
     defaults = {}
     for line in re.findall(r"^\| `.*$", table, re.M):
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)]

@@ -1,17 +1,17 @@
-# Builds and installs the plugin for ParaView, with the VTK module as a part of it.
+# Builds and installs the ParaView plugin, which includes the VTK module.
 
-# Its Python has to be that of ParaView.
+# The Python interpreter has to be the one that ParaView uses.
 find_program(Python3_EXECUTABLE NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
   DOC "The Python interpreter that ParaView's Python modules were built for")
 
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingServerManager RemotingViews)
 
-# What needs ParaView's window is left out where there are no headers of Qt.
+# Classes that need ParaView's window are left out if Qt's headers are missing.
 find_package(Qt5 QUIET COMPONENTS Widgets)
 if (TARGET Qt5::Widgets AND TARGET ParaView::pqCore)
   set(TOPOLOGYCARVING_WINDOW ON)
-  # These cannot be asked for above: what they depend on wants packages that paraview-dev does not bring
-  # along. It is not needed for what is used of them.
+  # find_package cannot request pqComponents and pqCore: their dependencies need packages on which
+  # paraview-dev does not depend. The plugin uses none of these dependencies, so they are removed here.
   get_target_property(includes ParaView::qttesting INTERFACE_INCLUDE_DIRECTORIES)
   set_target_properties(ParaView::pqComponents ParaView::pqCore PROPERTIES
     INTERFACE_INCLUDE_DIRECTORIES "${includes}"
@@ -19,11 +19,11 @@ if (TARGET Qt5::Widgets AND TARGET ParaView::pqCore)
     IMPORTED_LINK_DEPENDENT_LIBRARIES_DEBUG "")
 else ()
   set(TOPOLOGYCARVING_WINDOW OFF)
-  message(WARNING "The plugin will not add to ParaView's window: its button beside the progress bar will "
-    "not stop a carving. That takes Qt 5's headers (on Debian, the package qtbase5-dev).")
+  message(WARNING "Qt 5's headers were not found (Debian: qtbase5-dev). The plugin will add nothing to "
+    "ParaView's window: the button beside the progress bar will not stop a carving.")
 endif ()
 
-# The helper program lies beside the plugin.
+# The helper program is installed beside the plugin.
 set(TOPOLOGYCARVING_LIBRARY_DESTINATION
   "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/TopologyCarving")
 set(TOPOLOGYCARVING_HELPER_DESTINATION "${TOPOLOGYCARVING_LIBRARY_DESTINATION}")

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Examples/gallery.sh [FOLDER [MESH...]]
 #
-# Installs what is needed, builds, makes models like those of the paper's figures, fetches meshes from a
-# Debian package, and renders their levels, and those of MESHes (OFF, PLY, OBJ, STL), and a table of
-# running times into FOLDER/index.html (by default build/gallery).
+# Installs the required packages, builds the project, generates models like those of the paper's figures and
+# fetches meshes from a Debian package. Renders the levels of these meshes and of MESHes (OFF, PLY, OBJ, STL),
+# together with a table of running times, to FOLDER/index.html (by default in build/gallery).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
-# The models belong to the tests.
+# The program that generates the models is built with the tests.
 build gallery-build -DBUILD_TESTING=ON
 
 folder=${1:-$build_root/gallery}
@@ -17,7 +17,7 @@ models=$build_root/meshes/models
 program=$build_root/gallery-build
 mkdir -p "$folder" "$models"
 
-say "Making models"
+say "Generating models"
 for name in $("$program/bin/carving-model" --list); do
   case $name in
     carved-figure | snaking-contour) extension=vtk ;;

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Examples/paraview_pictures.sh [FOLDER]
 #
-# Installs what is needed, builds the plugin, plays the recorded sessions of the tests with a foot's bones
-# in ParaView and writes pictures of its window into FOLDER (by default Examples/images).
+# Installs the required packages, builds the plugin, replays the recorded sessions of the tests in ParaView with
+# the bones of a foot, and writes pictures of ParaView's window to FOLDER (by default Examples/images).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
@@ -17,11 +17,11 @@ build plugin-release -DTOPOLOGYCARVING_PARAVIEW=ON -DBUILD_TESTING=OFF \
 
 work=$build_root/paraview-pictures
 mkdir -p "$folder" "$work"
-# ParaView reads no OFF. A single level is the input.
+# ParaView cannot read OFF files. The only level of a carving with one level is the input.
 "$build_root/release/bin/carve" "$(cgal_mesh bones.off)" --levels 1 -o "$work/bones.ply" >/dev/null
 mv "$work/bones_0.ply" "$work/bones.ply"
 
-# picture SESSION NAME: play a recorded session and take a picture of the window.
+# picture SESSION NAME: replays a recorded session and takes a picture of the window.
 picture() {
   say "Playing $1"
   sed -e 's/eight-spheres/bones/' -e 's/arguments="3000"/arguments="700"/' \
@@ -38,7 +38,7 @@ picture() {
       kill $!' bash "$build_root/paraview" \
       "$build_root/plugin-release/lib/paraview-5.11/plugins/TopologyCarving" "$work" "$1" "$work/$2.png"
   grep -q 'Success =  true' "$work/$1.log" || die "The session $1 failed; see $work/$1.log"
-  # A little smaller, few colours: a picture for the web.
+  # Smaller and with fewer colours, for the web.
   convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"
 }
 picture PlayCarving paraview-play

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Examples/run.sh [MESH]
 #
-# Installs what is needed, builds, carves MESH (by default a foot's bones, from a Debian package) out
-# of its convex hull, prints a table of the levels and draws them side by side.
+# Installs the required packages, builds the project, carves MESH (by default the bones of a foot, from a Debian
+# package) out of its convex hull, prints a table of the levels and renders them side by side.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
@@ -24,7 +24,7 @@ xvfb-run -a /usr/bin/python3 "$root/Examples/Python/show_levels.py" "$levels" "$
 
 say "Done"
 cat <<EOF
-levels    $levels   (open it in ParaView)
+levels    $levels   (can be opened in ParaView)
 picture   $picture
-program   $build_root/release/bin/carve   (--help tells more)
+program   $build_root/release/bin/carve   (--help prints its manual page)
 EOF

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Examples/topology_pictures.sh [FOLDER]
 #
-# Installs what is needed, builds, and renders the pictures of Filters/TOPOLOGY.md into FOLDER (by default
-# Examples/images).
+# Installs the required packages, builds the project, and renders the pictures of Filters/TOPOLOGY.md to FOLDER
+# (by default Examples/images).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}"
-# The models belong to the tests.
+# The program that generates the models is built with the tests.
 build gallery-build -DBUILD_TESTING=ON
 
 folder=${1:-$root/Examples/images}

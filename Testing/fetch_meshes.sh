@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Testing/fetch_meshes.sh FOLDER
 #
-# Puts real meshes out of Debian packages into FOLDER, as OFF files, for the tests. No package is
-# installed for that, and a mesh that is there already is not fetched again.
+# Extracts real meshes from Debian packages to FOLDER, as OFF files, for the tests. No package is installed, and
+# meshes that exist already are not fetched again.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Testing/paraview_prefix.sh FOLDER
 #
-# Makes FOLDER/usr: ParaView, its headers and its Python modules, without installing python3-paraview,
-# which excludes the python3-vtk9 that the VTK module is tested with. paraview and paraview-dev have to
-# be installed: their files are linked.
+# Creates FOLDER/usr with ParaView, its headers and its Python modules, without installing python3-paraview.
+# That package conflicts with python3-vtk9, which the tests of the VTK module need. The packages paraview and
+# paraview-dev have to be installed; their files are linked.
 set -euo pipefail
 folder=$(realpath -m "$1")
 [ -e "$folder/.complete" ] && exit

@@ -2,16 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # usage: bash Testing/run.sh
 #
-# Installs what is needed, in Debian's newest version, builds and passes all tests: formatting, the whole
-# project with warnings as errors, the plugin in ParaView, core, helper program and module once more
-# under the address and undefined-behavior sanitizers, and some seconds with what fuzzers make up.
+# Installs the required packages in Debian's newest version, builds the project and runs all tests:
+# - the format of the sources,
+# - the whole project, with warnings as errors,
+# - the plugin in ParaView,
+# - core, helper program and module under the address and undefined-behavior sanitizers,
+# - the fuzz targets, for some seconds each.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}" \
   "${paraview_packages[@]}"
 meshes=$build_root/meshes/off
-# Two tests at a time: the machine may have more to do, and some tests build.
+# Two tests at a time: the machine may be busy, and some tests compile programs.
 jobs=2
 
 say "Checking the format"
@@ -27,25 +30,25 @@ build plugin -DTOPOLOGYCARVING_PARAVIEW=ON -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wer
   -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11" \
   -DTOPOLOGYCARVING_CARVE="$build_root/testing/bin/carve"
 say "Testing the plugin for ParaView"
-# Without -noreset, clients that come while the last one goes are turned away.
+# Without -noreset, the X server refuses clients that connect while the last client disconnects.
 xvfb-run -a -s '-screen 0 1500x1000x24 -noreset' \
   ctest --test-dir "$build_root/plugin" -j$jobs --output-on-failure
 
-# Without warnings: the sanitizers make the compiler see some in CGAL that are none.
+# Warnings stay off: under sanitizers, the compiler reports false ones in CGAL.
 targets="CoreTests FilterTests HelperTests ModelTests" build sanitize -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_FLAGS="-fsanitize=address,undefined -fno-sanitize-recover=all" \
   -DTOPOLOGYCARVING_MESHES="$meshes"
 say "Testing core, helper program and module under sanitizers"
-# Everything takes ten times as long here: not the two largest real meshes, which reach no code that
-# the others do not.
+# Tests take ten times as long under sanitizers. The two largest real meshes are left out, because they reach no
+# code that the others do not reach.
 ctest --test-dir "$build_root/sanitize" -j$jobs --output-on-failure -L WithoutVTK -E 'RealMesh.*(cheese|bunny)'
-# Of the module all but what draws, and what waits for limits, one of which the sanitizer itself exceeds.
+# Tests that render, and tests that wait for limits, are left out: the sanitizer itself exceeds one of the limits.
 ctest --test-dir "$build_root/sanitize/Testing/Cxx/Filters" -j$jobs --output-on-failure -E '^(Faults|Image|Soup)'
 
-# libFuzzer is clang's.
+# libFuzzer is part of clang.
 build fuzz -DTOPOLOGYCARVING_FUZZ=ON -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
-say "Fuzzing the core and what is read from the helper program and from files"
+say "Fuzzing the core, the protocol of the helper program and the reading of streams"
 ctest --test-dir "$build_root/fuzz" -j$jobs --output-on-failure
 
 say "All tests passed"

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Functions that Examples/run.sh and Testing/run.sh share: packages, build, meshes. To be sourced.
+# Functions shared by the scripts in Examples and Testing: packages, builds, meshes. To be sourced.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-# Everything that is made goes below this folder.
+# All generated files are below this folder.
 build_root=${BUILD_DIR:-$root/build}
-# What one clone has compiled need not be compiled by another.
+# Clones share the results of the compiler cache.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
 
-# Whatever a build or a test uses itself is named, so that a machine with more on it hides nothing.
+# Every package that a build or a test uses directly is listed, so that a machine with more packages hides no omission.
 build_packages=(
   ca-certificates ccache cmake g++ libcgal-dev libgmp-dev libmpfr-dev libtet1.5-dev libvtk9-dev
   libx11-dev ninja-build zlib1g-dev)
 picture_packages=(libgl1-mesa-dri python3 python3-vtk9 xauth xvfb)
 test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
-# Without python3-paraview, which excludes python3-vtk9: paraview_prefix.sh unpacks it elsewhere.
-# ParaView's icons are drawn by libqt5svg5, and its files parsed by libexpat1.
+# python3-paraview conflicts with python3-vtk9 and is not installed: paraview_prefix.sh unpacks it elsewhere.
+# ParaView draws its icons with libqt5svg5 and parses its files with libexpat1.
 paraview_packages=(
   libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev libqt5svg5 mpi-default-bin
   paraview paraview-dev python3-xlib qtbase5-dev)
@@ -28,14 +28,14 @@ die() {
   exit 1
 }
 
-# outdated PACKAGE...: what apt knows newer versions of, among the packages and all that they rely on.
+# outdated PACKAGE...: prints those of the packages and their dependencies of which apt has a newer version.
 outdated() {
   comm -12 \
     <(apt-cache depends --recurse --installed --important "$@" | grep '^[a-z0-9]' | sort -u) \
     <(apt-get -s -qq dist-upgrade | awk '$1 == "Inst" { print $2 }' | sort -u)
 }
 
-# install_packages PACKAGE...: install or upgrade, or say what to run to that end.
+# install_packages PACKAGE...: installs or upgrades the packages as root, or prints the command to run.
 install_packages() {
   local log=$build_root/apt.log
   if [ "$(id -u)" -ne 0 ]; then
@@ -48,8 +48,8 @@ install_packages() {
     -o Dpkg::Options::=--force-confold "$@" >"$log" 2>&1 || { tail -n 20 "$log" >&2; return 1; }
 }
 
-# require_packages PACKAGE...: install what is missing and, once a day, upgrade what is outdated: an old
-# library may hide what users of today's version meet. Offline, what is installed has to do.
+# require_packages PACKAGE...: installs missing packages and, once a day, upgrades outdated ones: an old library may
+# hide problems that users of the current version have. Offline, the installed versions are used.
 require_packages() {
   local package missing=() old=() today=$build_root/.packages-of-today
   command -v dpkg-query >/dev/null || die "This script is for Debian 12. Elsewhere, follow 'Building by hand' in README.md."
@@ -61,7 +61,7 @@ require_packages() {
   fi
   say "Looking for packages to install or upgrade"
   if [ "$(id -u)" -eq 0 ] && ! apt-get update -qq --error-on=any -o Acquire::Retries=0; then
-    printf 'What is installed may be outdated.\n' >&2
+    printf 'The package lists could not be updated: installed packages may be outdated.\n' >&2
     today=/dev/null
   fi
   if [ ${#missing[@]} -gt 0 ] && ! install_packages "${missing[@]}"; then
@@ -74,7 +74,7 @@ require_packages() {
   printf '%s' "$*" >"$today"
 }
 
-# build NAME [CMAKE_OPTION...]: configure and build, all or only $targets, into a folder of that name.
+# build NAME [CMAKE_OPTION...]: configures and builds everything, or only $targets, in a folder of that name.
 build() {
   local directory=$build_root/$1 log=$build_root/$1.log
   shift
@@ -82,10 +82,10 @@ build() {
   {
     cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
       ninja -C "$directory" ${targets:-}
-  } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; all of it is in $log"; }
+  } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; the whole log is $log"; }
 }
 
-# fetch PACKAGE: unpack a Debian package into the mesh folder, without installing it.
+# fetch PACKAGE: unpacks a Debian package in the mesh folder, without installing it.
 fetch() {
   local target=$build_root/meshes/$1
   [ -e "$target/.complete" ] && return
@@ -94,18 +94,18 @@ fetch() {
   mkdir -p "$target"
   (
     cd "$target"
-    # Root's apt drops its rights for the download, for which it would need to own the folder.
+    # By default, apt run by root downloads as another user, who may not write to this folder.
     apt-get -qq -o APT::Sandbox::User=root download "$1" || {
       [ "$(id -u)" -eq 0 ] && apt-get update -qq &&
         apt-get -qq -o APT::Sandbox::User=root download "$1"
     }
     dpkg-deb -x ./*.deb .
     rm ./*.deb
-  ) || die "The package $1 could not be fetched; it has the meshes that are used here."
+  ) || die "The package $1, which contains the meshes, could not be fetched."
   touch "$target/.complete"
 }
 
-# cgal_mesh NAME: the path of a mesh out of libcgal-demo.
+# cgal_mesh NAME: prints the path of a mesh from the package libcgal-demo.
 cgal_mesh() {
   local package=$build_root/meshes/libcgal-demo
   fetch libcgal-demo >&2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A flat mesh, which cannot be carved, and then one that can."""
+"""Carves a flat mesh, which fails, and then another mesh, which succeeds."""
 from paraview import simple
 from scene import counts, open_model
 
@@ -7,4 +7,4 @@ flat = simple.TopologyCarver(Input=simple.Triangulate(Input=simple.Plane()))
 assert counts(flat) == (0, 0)
 carver = simple.TopologyCarver(Input=open_model("two-spheres.ply"))
 assert counts(carver)[1] > 0
-print("carved the next one")
+print("carved the next mesh")

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts for pvbatch have in common. MODELS is the folder of models, TOPOLOGYCARVING_PLUGIN the plugin."""
+"""Functions shared by the scripts for pvbatch.
+
+The environment variable MODELS names the folder of the models, TOPOLOGYCARVING_PLUGIN the plugin.
+"""
 import os
 import sys
 
@@ -18,7 +21,7 @@ def open_model(name):
 
 
 def counts(proxy, port=0, time=0.0):
-    """Points and cells of an output, once it is up to date."""
+    """Updates an output and returns the numbers of its points and cells."""
     proxy.UpdatePipeline(time)
     information = simple.OutputPort(proxy, port).GetDataInformation()
     return information.GetNumberOfPoints(), information.GetNumberOfCells()
@@ -30,7 +33,7 @@ def fetch(proxy, port=LEVEL):
 
 
 def arrays(data):
-    """All of a data set's points, cells and arrays, by kind and name: bytes, or strings."""
+    """All points, cells and arrays of a data set as bytes or lists of strings, by kind and name."""
     cells = data.GetPolys() if data.IsA("vtkPolyData") else data.GetCells()
     found = {
         "points": vtk_to_numpy(data.GetPoints().GetData()).tobytes(),
@@ -60,7 +63,7 @@ def numbers(proxy, name):
 
 
 def run_tests(unittest):
-    """Like unittest.main, which would take pvbatch's own arguments for its own."""
+    """Runs all tests. unittest.main alone would interpret the arguments of pvbatch."""
     result = unittest.main(argv=["test"], exit=False, verbosity=2).result
     sys.stderr.flush()
     if not result.wasSuccessful():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Levels and streams through ParaView's writers and back."""
+"""Levels and streams survive ParaView's writers and readers."""
 import os
 import tempfile
 import unittest
@@ -9,12 +9,12 @@ from paraview import simple
 from scene import ALL_LEVELS, LEVEL, STREAM, arrays, blocks, counts, fetch, open_model
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-# By default ParaView 5.11 writes appended data, which it cannot read with today's libexpat1 of Debian 12.
+# By default, ParaView 5.11 writes appended data, which it cannot read with the current libexpat1 of Debian 12.
 INLINE = {"DataMode": "Binary"}
 
 
 def triangles(data):
-    """The corners of all triangles, to float precision, in an order that does not depend on the file's."""
+    """The corners of all triangles, in float precision, in an order that does not depend on the file."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype("f4")
     corners = []
     for i in range(data.GetNumberOfCells()):
@@ -55,7 +55,7 @@ class TestFiles(unittest.TestCase):
             self.assertEqual(arrays(back[name]), arrays(level))
 
     def test_stream_from_a_file_gives_the_same_levels(self):
-        """A stream that has been through .vtu is as good as the carver's own."""
+        """A stream read from .vtu gives the same levels as the stream of the carver."""
         stream, back = self.through("stream.vtu", STREAM, **INLINE)
         self.assertEqual(arrays(fetch(back)), arrays(stream))
         extract = simple.ExtractCarvedLOD(Input=back)
@@ -65,13 +65,13 @@ class TestFiles(unittest.TestCase):
             self.assertEqual(arrays(fetch(extract)), arrays(fetch(own)))
 
     def test_ply_and_stl_keep_the_triangles(self):
-        """A level comes back from .ply and .stl with the same triangles, to float precision."""
+        """A level comes back from .ply and .stl with the same triangles, in float precision."""
         for name in ("level.ply", "level.stl"):
             level, back = self.through(name, LEVEL)
             self.assertEqual(triangles(fetch(back)), triangles(level))
 
     def test_view_exports_to_gltf(self):
-        """A level that is shown is exported to glTF with all its triangles."""
+        """A visible level is exported to glTF with all its triangles."""
         view = simple.CreateRenderView()
         simple.Show(simple.OutputPort(self.carver, LEVEL), view)
         simple.Render(view)

@@ -21,7 +21,7 @@ class TestFilters(unittest.TestCase):
         return simple.TopologyCarver(Input=self.mesh, **properties)
 
     def test_shows_one_level_and_keeps_the_rest_apart(self):
-        """After Apply the view has the level; all levels, stream and profile are there and not shown."""
+        """After Apply, the view shows the level, but not all levels, the stream and the profile."""
         carver = self.carver()
         view = simple.CreateRenderView()
         controller = simple.servermanager.ParaViewPipelineController()
@@ -31,7 +31,7 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(types, ["vtkPolyData", "vtkMultiBlockDataSet", "vtkUnstructuredGrid", "vtkTable"])
 
     def test_time_moves_from_the_hull_to_the_mesh(self):
-        """Times are offered before anything is carved; the first is the hull, the last the mesh."""
+        """Time steps exist before anything is carved; the first is the hull, the last is the mesh."""
         carver = self.carver()
         carver.UpdatePipelineInformation()
         times = list(carver.TimestepValues)
@@ -42,14 +42,14 @@ class TestFilters(unittest.TestCase):
         self.assertGreater(len(set(steps)), 40)
 
     def test_properties_pick_the_level(self):
-        """Without Follow Time there are no times, and vertices, triangles and steps pick the level."""
+        """Without Follow Time there are no time steps, and each Level By property picks the level."""
         carver = self.carver(FollowTime=0, LevelBy="Step", Step=0)
         hull = counts(carver)
         self.assertEqual(list(carver.TimestepValues), [])
         self.assertEqual(numbers(carver, "VertexRange"), [hull[0], POINTS])
         least, greatest = numbers(carver, "TriangleRange")
         self.assertEqual(least, hull[1])
-        self.assertGreaterEqual(greatest, TRIANGLES)  # a level on the way may have more than the last
+        self.assertGreaterEqual(greatest, TRIANGLES)  # a level before the last may have more
         carver.Step = numbers(carver, "StepRange")[1]
         self.assertEqual(counts(carver), (POINTS, TRIANGLES))
         carver.LevelBy, carver.Triangles = "Triangles", 6000
@@ -69,7 +69,7 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(counts(carver), hull)
 
     def test_choosing_a_level_does_not_carve_again(self):
-        """Neither the carver nor an extractor needs the helper program for another level."""
+        """Choosing another level runs the helper program neither in the carver nor in an extractor."""
         carver = self.carver()
         hull = counts(carver)
         extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
@@ -82,14 +82,14 @@ class TestFilters(unittest.TestCase):
         self.assertLess(counts(carver)[0], POINTS)
 
     def test_extractor_agrees_with_the_carver(self):
-        """Both give the same level at the same time."""
+        """Carver and extractor give the same level at the same time step."""
         carver = self.carver()
         extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
         for time in (0, 7, 23, 49):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
 
     def test_extractor_knows_its_range_at_once(self):
-        """On a stream that is there, the slider's range is the stream's, and the level in its middle."""
+        """If the stream exists already, the slider has its range, and a level in the middle is shown."""
         carver = self.carver()
         least = counts(carver)[0]
         extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
@@ -97,14 +97,14 @@ class TestFilters(unittest.TestCase):
         self.assertTrue(least < extract.Vertices < POINTS)
 
     def test_level_targets_replace_the_number_of_levels(self):
-        """All Levels has a level for each target."""
+        """With level targets, All Levels has one level per target."""
         carver = self.carver(LevelTargets=[1000, 2000, 4000])
         carver.UpdatePipeline()
         levels = fetch(carver, ALL_LEVELS)
         self.assertEqual(levels.GetNumberOfBlocks(), 3)
 
     def test_starts_from_a_box_or_a_given_mesh(self):
-        """The box has its own eight corners; a given mesh is the first level."""
+        """Carving starts from the eight corners of the bounding box, or from a given mesh."""
         carver = self.carver(InitialApproximation="Bounding Box")
         self.assertEqual(counts(carver), (8, 12))
         box = simple.Box(XLength=3, YLength=3, ZLength=3, Center=[0.5, 0.5, 0.5])
@@ -113,9 +113,7 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(counts(carver), (8, 12))
 
     def test_time_of_the_input_wins(self):
-        """An input with time steps of its own keeps them; properties pick the level."""
-        moving = simple.TemporalShiftScale(Input=simple.TimeSource(Growing=1))
-        del moving
+        """The time steps of an input are kept, and properties pick the level."""
         mesh = simple.GenerateTimeSteps(Input=self.mesh, TimeStepValues=[0.0, 1.0, 2.0])
         carver = simple.TopologyCarver(Input=mesh, Vertices=2000)
         carver.UpdatePipelineInformation()
@@ -125,7 +123,7 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(counts(carver, LEVEL, 2.0)[0], points)
 
     def test_property_can_be_animated(self):
-        """A track for the number of vertices goes through the levels."""
+        """An animation track for the number of vertices moves through the levels."""
         carver = self.carver(FollowTime=0)
         simple.Show(carver, simple.CreateRenderView())
         track = simple.GetAnimationTrack("Vertices", proxy=carver)
@@ -156,7 +154,7 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(counts(extract, 0, 49), (POINTS + 2 * 642, TRIANGLES + 2 * 1280))
 
     def test_carves_contours(self):
-        """The Contour Carver's last level is the figure."""
+        """The last level of the Contour Carver is the input."""
         figure = open_model("carved-figure.vtk")
         lines = counts(figure)[1]
         carver = simple.ContourCarver(Input=figure)
@@ -164,14 +162,14 @@ class TestFilters(unittest.TestCase):
         self.assertEqual(counts(carver, LEVEL, 49)[1], lines)
 
     def test_errors_are_words_and_not_the_end(self):
-        """A mesh without volume gives a message and an empty level; the next mesh is carved."""
+        """A mesh without volume gives an error and an empty level, and the next mesh is carved."""
         script = os.path.join(os.path.dirname(scene.__file__), "flat_mesh.py")
         run = subprocess.run(
             [os.environ["PVBATCH"], "--dr", script], capture_output=True, text=True,
             timeout=float(os.environ["PATIENCE"]))
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("lie in one plane", run.stdout + run.stderr)
-        self.assertIn("carved the next one", run.stdout)
+        self.assertIn("carved the next mesh", run.stdout)
 
 
 scene.run_tests(unittest)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Carving in any number of processes gives what it gives in one.
+"""Carving gives the same result in any number of processes.
 
-The expected numbers are those of one process that reads the same files through VTK's reader, so that
-the script is its own reference when it runs in one.
+The expected numbers are those of a single process that reads the same files. With one process, the script is
+therefore its own reference.
 """
 import os
 import unittest
@@ -13,7 +13,7 @@ from scene import ALL_LEVELS, LEVEL, MODELS, PROFILE, STREAM, counts, numbers
 
 POINTS, TRIANGLES = 8 * 642, 8 * 1280
 
-# Each process has the part of a mesh, or the blocks, that this gives it.
+# Gives each process its part of a mesh, or its blocks.
 SPREAD = """
 import os
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
@@ -51,7 +51,7 @@ for i, name in enumerate(names):
     output.GetMetaData(i).Set(output.NAME(), "block %d" % i)
 """
 
-# Field data of any kind: a matrix, and an array without a name.
+# Field data of several kinds: vectors, and an array without a name.
 MESH_WITH_FIELD_DATA = SPREAD + """
 from vtkmodules.vtkCommonCore import vtkDoubleArray
 if rank == count - 1:
@@ -65,7 +65,7 @@ if rank == count - 1:
             array.InsertNextTuple([10.0 * i + k for k in range(components)])
         output.GetFieldData().AddArray(array)
 """
-# A point on each process that has them.
+# Outputs one point on each process that has the field data.
 CHECK_FIELD_DATA = """
 from vtkmodules.vtkCommonCore import vtkPoints
 data = self.GetInputDataObject(0, 0).GetFieldData()
@@ -96,7 +96,7 @@ class TestParallel(unittest.TestCase):
         return first
 
     def test_mesh_on_one_process(self):
-        """A serial reader leaves the mesh on one process; the others stay silent."""
+        """A mesh that a serial reader leaves on one process is carved there, without messages from the others."""
         carver = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"))
         first = self.expect_whole(carver)
         self.assertEqual(numbers(carver, "VertexRange"), [first[0], POINTS])
@@ -104,14 +104,14 @@ class TestParallel(unittest.TestCase):
         self.assertEqual(rows, numbers(carver, "StepRange")[1] + 1)
 
     def test_spread_mesh_is_carved_whole(self):
-        """A mesh of which every process has a part is gathered: no seam, the same levels."""
+        """A mesh that is spread over all processes gives the same levels, without seams."""
         whole = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"))
         parts = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"))
         for time in (0, 11, 33, 49):
             self.assertEqual(counts(parts, LEVEL, time), counts(whole, LEVEL, time))
 
     def test_blocks_stay_where_they_are(self):
-        """Each block is carved by the process that has it; the tree is the same everywhere."""
+        """Each block is carved by the process that has it, and all processes have the same tree."""
         carver = simple.TopologyCarver(Input=make_source(BLOCKS, "vtkMultiblockDataSet"))
         self.expect_whole(carver, 2 * POINTS + 2 * 642, 2 * TRIANGLES + 2 * 1280)
         names = ["block 0", "block 1", "block 2"]
@@ -129,7 +129,7 @@ class TestParallel(unittest.TestCase):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
 
     def test_field_data_reaches_all_processes(self):
-        """All processes know the stream's field data, with or without a name, of any number of components."""
+        """All processes have the field data of the stream, named or not, with any number of components."""
         carver = simple.TopologyCarver(Input=make_source(MESH_WITH_FIELD_DATA, "vtkPolyData"))
         check = simple.ProgrammableFilter(
             Input=simple.OutputPort(carver, STREAM), Script=CHECK_FIELD_DATA, OutputDataSetType="vtkPolyData")
@@ -137,7 +137,7 @@ class TestParallel(unittest.TestCase):
         self.assertEqual(counts(check)[0], processes)
 
     def test_changing_the_level_does_not_gather_again(self):
-        """Another level of a mesh in parts needs no helper program."""
+        """Choosing another level of a mesh in parts does not run the helper program."""
         carver = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"))
         self.expect_whole(carver)
         os.environ["TOPOLOGYCARVING_HELPER"] = "/bin/false"

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the program carve writes opens in ParaView. CARVE is the program, of a build with Debian's VTK."""
+"""ParaView opens the files that carve writes.
+
+The environment variable CARVE names the program, of a build with Debian's VTK.
+"""
 import os
 import subprocess
 import tempfile
@@ -27,12 +30,12 @@ class TestProgram(unittest.TestCase):
         return fetch(simple.OpenDataFile(os.path.join(self.folder, name)))
 
     def carved(self, port):
-        """What the filter gives, in memory."""
+        """The output of the filter, in memory."""
         self.carver.UpdatePipeline()
         return fetch(self.carver, port)
 
     def test_opens_levels_in_one_file(self):
-        """A .vtm has the filter's levels, under their names, with the same bytes."""
+        """A .vtm file has the levels of the filter, with the same names and bytes."""
         self.carve("-o", "levels.vtm")
         written, levels = blocks(self.opened("levels.vtm")), blocks(self.carved(ALL_LEVELS))
         self.assertEqual(list(written), list(levels))
@@ -40,13 +43,13 @@ class TestProgram(unittest.TestCase):
             self.assertEqual(arrays(written[name]), arrays(level))
 
     def test_opens_a_file_per_level(self):
-        """Each .vtp has the filter's level with the same bytes."""
+        """Each .vtp file has a level of the filter, with the same bytes."""
         self.carve("-o", "level.vtp")
         for i, level in enumerate(blocks(self.carved(ALL_LEVELS)).values()):
             self.assertEqual(arrays(self.opened(f"level_{i}.vtp")), arrays(level))
 
     def test_opens_a_stream(self):
-        """A .vtu has the filter's stream with the same bytes."""
+        """A .vtu file has the stream of the filter, with the same bytes."""
         self.carve("--stream", "stream.vtu")
         self.assertEqual(arrays(self.opened("stream.vtu")), arrays(self.carved(STREAM)))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sessions that are replayed from a state file and from a Python trace."""
+"""State files and Python traces reproduce a session."""
 import os
 import tempfile
 import unittest
@@ -10,8 +10,6 @@ from scene import LEVEL, STREAM, counts, open_model
 
 
 class TestReplay(unittest.TestCase):
-    """What was done is done again by a state file and by a trace."""
-
     def setUp(self):
         self.addCleanup(simple.ResetSession)
         folder = tempfile.TemporaryDirectory()
@@ -20,7 +18,7 @@ class TestReplay(unittest.TestCase):
 
     def make(self):
         mesh = open_model("eight-spheres.ply")
-        # A trace records what is set while a filter is made, as Apply does.
+        # A trace records the properties that are set when a filter is created, as Apply does.
         carver = simple.TopologyCarver(
             registrationName="Carver", Input=mesh, DepthExponent=2, FollowTime=0, Vertices=2500)
         simple.ExtractCarvedLOD(
@@ -43,9 +41,9 @@ class TestReplay(unittest.TestCase):
             return file.read()
 
     def test_a_trace_gives_the_same_picture(self):
-        """A Python trace of the session, run, has the same levels and the same picture.
+        """Running a Python trace of a session gives the same levels and the same picture.
 
-        Comes first: ParaView 5.11 traces nothing after a session has been reset.
+        This test has to run first: ParaView 5.11 traces nothing after a session has been reset.
         """
         smtrace.start_trace()
         self.make()
@@ -58,7 +56,7 @@ class TestReplay(unittest.TestCase):
         self.assertEqual(self.picture("after.png"), picture)
 
     def test_state_file_gives_the_same_picture(self):
-        """A saved and loaded session has the same levels and the same picture."""
+        """Loading a state file of a session gives the same levels and the same picture."""
         self.make()
         expected, picture = self.results(), self.picture("before.png")
         path = os.path.join(self.folder, "session.pvsm")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A click on the button beside ParaView's progress bar stops a carving at once, and the session goes on."""
+"""A click on the button beside ParaView's progress bar stops a carving, and the session continues."""
 import os
 import signal
 import stat
@@ -16,7 +16,7 @@ from Xlib.ext import xtest
 PARAVIEW_COMMAND = sys.argv[1:]
 PATIENCE = float(os.environ["PATIENCE"])  # seconds
 
-# The helper program that the first carving meets reports progress and never ends.
+# On its first run, this helper program reports progress and never ends. Later runs start the real one.
 HELPER = """#!/bin/sh
 [ -e "{folder}/pid" ] && exec "{helper}"
 echo $$ > "{folder}/new" && mv "{folder}/new" "{folder}/pid"
@@ -34,7 +34,7 @@ def is_running(pid):
 
 
 def stop_button(screen):
-    """The middle of the one red thing in the main window's status bar."""
+    """The center of the only red area in the status bar of the main window."""
     windows = [w.get_geometry() for w in screen.root.query_tree().children
                if w.get_attributes().map_state == X.IsViewable]
     window = max(windows, key=lambda w: w.width * w.height)
@@ -88,7 +88,7 @@ class TestStop(unittest.TestCase):
             os.kill(pid, signal.SIGKILL)
 
     def wait_for(self, what, look):
-        """What is seen as soon as there is something; nothing comes any more once ParaView has ended."""
+        """Calls `look` until its result is true, and returns it. Fails if time is up or ParaView has ended."""
         end = time.monotonic() + PATIENCE
         while True:
             over = self.paraview.poll() is not None or time.monotonic() > end
@@ -100,7 +100,7 @@ class TestStop(unittest.TestCase):
             time.sleep(0.05)
 
     def test_stop(self):
-        """The click ends the helper program, with a warning, and the session goes on to its end."""
+        """The click terminates the helper program, with a warning, and the session continues to its end."""
         pid = self.wait_for("the helper program to be started", self.helper_pid)
         server = display.Display()
         self.addCleanup(server.close)

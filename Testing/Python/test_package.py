@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package, through its public interface alone."""
+"""The Python package, used through its public interface only."""
 import unittest
 
 import numpy as np
@@ -18,7 +18,7 @@ def volume(mesh):
 
 class TestPackage(unittest.TestCase):
     def test_goes_from_the_hull_to_the_input(self):
-        """Two unit cubes with a unit gap: the hull's volume is 3, the input's 2."""
+        """Levels go from the hull to the input: two unit cubes with a unit gap have volume 2, their hull has 3."""
         cubes = two_cubes()
         carver = vtkTopologyCarver()
         carver.SetInputConnection(0, cubes.GetOutputPort())
@@ -29,7 +29,7 @@ class TestPackage(unittest.TestCase):
         self.assertAlmostEqual(volume(levels.GetBlock(levels.GetNumberOfBlocks() - 1)), 2)
 
     def test_has_three_outputs(self):
-        """Ports 1 and 2 are the stream and the profile, which agree on the number of steps."""
+        """Port 1 is the stream and port 2 the profile; both have the same number of steps."""
         cubes = two_cubes()
         carver = vtkTopologyCarver()
         carver.SetInputConnection(cubes.GetOutputPort())
@@ -56,7 +56,7 @@ class TestPackage(unittest.TestCase):
         self.assertGreater(carver.GetOutput().GetNumberOfBlocks(), 1)
 
     def test_reports_errors(self):
-        """A flat mesh raises an error event whose text says what is wrong."""
+        """A flat mesh raises an error event, and its text names the reason."""
         errors = []
         carver = vtkTopologyCarver()
 
@@ -74,7 +74,7 @@ class TestPackage(unittest.TestCase):
         self.assertIn("plane", errors[0])
 
     def test_works_in_a_pipeline(self):
-        """A change upstream is carved anew; the seconds of the stages tell that the helper ran."""
+        """A change upstream runs the helper program again, and the stages report its seconds."""
         sphere = vtkSphereSource()
         append = two_cubes()
         append.AddInputConnection(sphere.GetOutputPort())

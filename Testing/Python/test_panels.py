@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The XML of ParaView's panels against the filters. PLUGIN is the folder of the plugin's sources."""
+"""ParaView's panels agree with the filters.
+
+The environment variable PLUGIN names the folder of the plugin's sources.
+"""
 import os
 import re
 import unittest
@@ -10,10 +13,10 @@ from topologycarving import vtkContourCarver, vtkExtractCarvedLOD, vtkTopologyCa
 
 PLUGIN = os.environ["PLUGIN"]
 
-# Setters that no panel shows, and why.
+# Setters without a property on a panel, and the reason.
 LEFT_OUT = {
-    "SetLevelTarget": "the panel has a target for each type",
-    "SetController": "ParaView's processes are the global controller's",
+    "SetLevelTarget": "the panel has one target per type",
+    "SetController": "ParaView uses the global controller",
 }
 
 
@@ -26,7 +29,7 @@ def find_proxy(root, name):
 
 
 def properties(proxy):
-    """The properties that are set by a command."""
+    """The properties that a command sets."""
     return [p for p in proxy if p.tag.endswith("VectorProperty") and p.get("information_only") != "1"]
 
 
@@ -38,7 +41,7 @@ def commands(proxy):
 
 
 def header_defaults(name):
-    """Members of a class of the plugin, which has no Python here, and their defaults."""
+    """Members and defaults of a class of the plugin, read from its header: the class is not wrapped in Python."""
     with open(os.path.join(PLUGIN, "Classes", name + ".h"), encoding="utf-8") as file:
         return dict(re.findall(r"^  (?:int|double|bool) (\w+) = ([^;{]+);", file.read(), re.M))
 
@@ -60,7 +63,7 @@ class TestPanels(unittest.TestCase):
             self.assertEqual(float(p.get("default_values")), expected, p.get("name"))
 
     def test_defaults_are_the_filters(self):
-        """Every property starts with the filter's own default."""
+        """Every property has the default of the filter."""
         others = header_defaults("vtkPVExtractCarvedLOD")
         for instance in (vtkTopologyCarver(), vtkContourCarver()):
             self.expect_defaults(self.carver, instance, {})
@@ -68,7 +71,7 @@ class TestPanels(unittest.TestCase):
             self.expect_defaults(proxy, vtkExtractCarvedLOD(), others)
 
     def test_every_setter_is_on_a_panel(self):
-        """What can be set in C++ and Python can be set in ParaView, or is left out on purpose."""
+        """Every setter of the filters is on a panel or is left out on purpose."""
         shown = commands(self.carver)
         for name in setters(vtkTopologyCarver) | setters(vtkContourCarver):
             self.assertTrue(name in shown or name in LEFT_OUT, name)
@@ -77,7 +80,7 @@ class TestPanels(unittest.TestCase):
             self.assertTrue(name in shown or name in LEFT_OUT, name)
 
     def test_enumerations_are_the_filters(self):
-        """Every value of an enumeration is offered, under its name."""
+        """Every enumeration offers all values of the filter, under their names."""
         known = {
             "SetInitialApproximation": "CONVEX_HULL BOUNDING_BOX CUSTOM",
             "SetPriorityMeasure": "LONGEST_EDGE VOLUME CIRCUMRADIUS EDGE_VOLUME",
@@ -103,14 +106,14 @@ class TestPanels(unittest.TestCase):
         self.assertEqual(seen, set(known))
 
     def test_every_property_is_explained(self):
-        """Every property has a tooltip, and every one that is shown belongs to a group or stands alone on purpose."""
+        """Every property has a tooltip."""
         for proxy in (self.carver, self.picker, self.extract):
             for p in properties(proxy):
                 text = p.findtext("Documentation") or ""
                 self.assertGreater(len(text.strip()), 20, p.get("name"))
 
     def test_shared_properties_are_exposed(self):
-        """What picks a level is on the carvers' panels too, in the same group."""
+        """The properties that pick a level are on all panels, in the same group."""
         exposed = {p.get("name") for p in self.carver.findall("SubProxy/ExposedProperties/Property")}
         self.assertEqual(exposed, {p.get("name") for p in self.picker if p.tag.endswith("Property")})
         for proxy in (self.carver, self.extract):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""All properties of the filters, as these list them themselves. ROOT is the folder of the sources."""
+"""Properties are printed, and documented in the README.
+
+The environment variable ROOT names the folder of the sources.
+"""
 import os
 import re
 import unittest
@@ -8,7 +11,7 @@ from setters import setters
 from topologycarving import vtkContourCarver, vtkExtractCarvedLOD, vtkTopologyCarver
 
 CARVERS = (vtkTopologyCarver, vtkContourCarver)
-# Setters of what is not a property of the result: the processes that share the work.
+# Setters without influence on the result.
 NO_PROPERTIES = {"SetController"}
 
 
@@ -18,12 +21,12 @@ def names(filter_class):
 
 
 def printed(instance):
-    """What PrintSelf writes, line by line: names and values."""
+    """The names and values that PrintSelf writes."""
     return dict(re.findall(r"^ *(\w+): ?(.*)$", str(instance), re.M))
 
 
 def value_of(instance, text):
-    """The value that a printed or documented one stands for."""
+    """The value of a printed or documented text."""
     if text.lower() in ("on", "off"):
         return text.lower() == "on"
     return getattr(instance, text) if text.isupper() else float(text.replace("−", "-"))
@@ -40,7 +43,7 @@ def change(instance, name):
 
 
 def documented():
-    """The README's table of properties: names and defaults."""
+    """The names and defaults in the README's table of properties, and the table."""
     with open(os.path.join(os.environ["ROOT"], "README.md"), encoding="utf-8") as file:
         table = file.read().split("## Properties")[1].split("\n##")[0]
     defaults = {}
@@ -53,7 +56,7 @@ def documented():
 
 class TestProperties(unittest.TestCase):
     def test_are_printed(self):
-        """PrintSelf writes every property under its name, with its value before and after a change."""
+        """PrintSelf writes the name and current value of every property."""
         for filter_class in (*CARVERS, vtkExtractCarvedLOD):
             instance = filter_class()
             for name in names(filter_class):
@@ -64,7 +67,7 @@ class TestProperties(unittest.TestCase):
                         change(instance, name)
 
     def test_have_the_documented_defaults(self):
-        """The README lists every property of the carvers and no other, with its default."""
+        """The README lists exactly the properties of the carvers, with their defaults."""
         for filter_class in CARVERS:
             instance = filter_class()
             defaults = documented()[0]
@@ -76,7 +79,7 @@ class TestProperties(unittest.TestCase):
                 self.assertEqual(getattr(instance, "Get" + name)(), value_of(instance, default), name)
 
     def test_have_the_documented_values(self):
-        """The numbers that the README gives for the values of enumerations are theirs."""
+        """The README gives the numbers of enumeration values as in the filter."""
         values = re.findall(r"`([A-Z_]+)`(?: \(|, )(\d)\)", documented()[1])
         self.assertGreater(len(values), 15)
         for name, value in values:

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command-line program. CARVE names it, MESHES is the folder of fetched meshes."""
+"""The command-line program.
+
+Environment variables name the program (CARVE), the folder of the fetched meshes (MESHES), the folder of the sources
+(ROOT) and the number of seconds to wait for an event (PATIENCE).
+"""
 import csv
 import glob
 import gzip
@@ -26,12 +30,12 @@ from vtkmodules.vtkIOXML import (
     vtkXMLUnstructuredGridWriter)
 
 CARVE = os.environ["CARVE"]
-PATIENCE = float(os.environ["PATIENCE"])  # seconds
+PATIENCE = float(os.environ["PATIENCE"])
 BONES = os.path.join(os.environ["MESHES"], "bones.off")
 
 
 def plain_cubes():
-    """Two cubes, triangulated, without normals: the OBJ writer would need one for each point."""
+    """Two triangulated cubes without normals, because the OBJ writer needs one normal per point."""
     cubes = two_cubes()
     triangulate = vtkTriangleFilter()
     triangulate.SetInputConnection(cubes.GetOutputPort())
@@ -50,7 +54,7 @@ def read(reader_class, name):
 
 
 def descendants(pid):
-    """The processes that a process has started, and theirs."""
+    """The process ids of all descendants of a process."""
     try:
         with open(f"/proc/{pid}/task/{pid}/children", encoding="ascii") as file:
             children = file.read().split()
@@ -81,7 +85,7 @@ class TestCarve(unittest.TestCase):
             [CARVE, *arguments], capture_output=True, text=True, cwd=self.folder, env={**os.environ, **environment})
 
     def table(self, *arguments):
-        """The rows (level, step, vertices, triangles, components, tunnels, voids) that a run prints."""
+        """Runs carve and returns its table: level, step, vertices, triangles, components, tunnels, voids."""
         run = self.run_carve(*arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         return [tuple(None if word == "-" else int(word) for word in line.split())
@@ -105,38 +109,40 @@ class TestCarve(unittest.TestCase):
     def write_cubes(self, writer_class, name):
         return self.write(writer_class, name, plain_cubes())
 
-    # What it prints
+    # Terminal output
 
     def test_prints_a_table(self):
-        """Eight levels of the bones from the 124 vertices of their hull on, and the seconds of all stages."""
+        """The table has the levels from the hull to the mesh, and the seconds of all stages."""
         rows = self.table(BONES)
-        self.assertEqual([row[0] for row in rows], list(range(8)))
-        self.assertEqual(rows[0][1:3], (0, 124))
+        self.assertEqual([row[0] for row in rows], list(range(8)))  # the default number of levels
+        self.assertEqual(rows[0][1:3], (0, 124))  # hull vertices of the bones in the paper's Table 1
         self.assertEqual(rows, sorted(rows))
-        self.assertEqual(rows[0][4:], (1, 0, 0))
+        self.assertEqual(rows[0][4:], (1, 0, 0))  # a convex hull
         self.assertEqual([row[4] for row in rows], sorted(row[4] for row in rows))
         output = self.run_carve(BONES).stdout
         for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "output"):
             self.assertRegex(output, rf"{stage} \d+\.\d\d\d")
 
     def test_prints_no_progress_into_a_pipe(self):
-        """Standard error stays empty where it is no terminal."""
+        """Standard error stays empty if it is not a terminal."""
         self.assertEqual(self.run_carve(BONES).stderr, "")
 
     def test_prints_help(self):
-        """--help is a manual page that names every option."""
+        """--help is a manual page with every option of the README."""
         run = self.run_carve("--help")
         self.assertEqual(run.returncode, 0)
-        for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES",
-                     "--output", "--levels", "--vertices", "--triangles", "--initial-approximation",
-                     "--priority-measure", "--depth-exponent", "--depth-measure", "--breadth-radius",
-                     "--carve-exposed", "--carve-voids", "--maximum-components", "--maximum-tunnels",
-                     "--maximum-voids", "--solid-rule", "--tunnels", "--components", "--error-bound",
-                     "--compute-error", "--profile"):
+        for word in ("NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "ENVIRONMENT", "EXAMPLES"):
             self.assertIn(word, run.stdout)
+        with open(os.path.join(os.environ["ROOT"], "README.md"), encoding="utf-8") as file:
+            text = file.read()
+        sections = [text.split(title)[1].split("\n##")[0] for title in ("### Command line", "## Properties")]
+        options = set(re.findall(r"--[a-z-]+", "".join(sections)))
+        self.assertGreater(len(options), 25)
+        headings = "".join(re.findall(r"^ {4}-.*$", run.stdout, re.MULTILINE))
+        self.assertLessEqual(options, set(re.findall(r"--[a-z-]+", headings)))
 
     def test_writes_the_profile(self):
-        """--profile writes a row per step, or a chart, for which there has to be a display."""
+        """--profile writes a table with a row per step, or a chart if there is a display."""
         rows = self.table(BONES, "--profile", "out.csv", "--stream", "out.vtu", "--compute-error", "on")
         with open(self.path("out.csv"), encoding="utf-8") as file:
             table = list(csv.DictReader(file))
@@ -144,18 +150,18 @@ class TestCarve(unittest.TestCase):
         names = ("Vertices", "Triangles", "Components", "Tunnels", "Voids")
         for row in rows:
             self.assertEqual(tuple(int(table[row[1]][name]) for name in names), row[2:])
-        self.assertEqual(float(table[-1]["Error"]), 0.0)
+        self.assertEqual(float(table[-1]["Error"]), 0.0)  # the last level is the mesh
         self.table("out.vtu", "--profile", "again.csv")
         with open(self.path("out.csv"), "rb") as first, open(self.path("again.csv"), "rb") as second:
             self.assertEqual(first.read(), second.read())
         self.table("out.vtu", "--profile", "out.png")
         with open(self.path("out.png"), "rb") as file:
-            self.assertGreater(len(file.read()), 5000)
+            self.assertGreater(len(file.read()), 5000)  # an empty picture has less than 3,000 bytes
         self.expect_failure(self.run_carve("out.vtu", "--profile", "no.png", DISPLAY=":7654"), 1, "no.png", "display")
         self.expect_failure(self.run_carve("out.vtu", "--profile", "out.txt"), 2, "--profile", ".csv")
 
     def test_picks_levels_by_topology_and_distance(self):
-        """Tunnels, components and distances pick levels, also from a stream."""
+        """Tunnels, components and distances pick levels of a mesh and of a stream."""
         for option, column in (("--tunnels", 5), ("--components", 4)):
             rows = self.table(BONES, option, "3,8")
             for row, most in zip(rows, (3, 8)):
@@ -171,33 +177,34 @@ class TestCarve(unittest.TestCase):
         """--version prints a name and a number."""
         self.assertRegex(self.run_carve("--version").stdout, r"^carve \d+\.\d+\.\d+\n$")
 
-    # Which levels
+    # Choice of levels
 
     def test_takes_a_number_of_levels(self):
-        """--levels sets how many there are."""
+        """--levels sets the number of levels."""
         self.assertEqual(len(self.table(BONES, "--levels", "3")), 3)
 
     def test_takes_targets(self):
-        """--vertices and --triangles give a level each, none larger than wanted."""
+        """--vertices and --triangles give one level per target, none larger than its target."""
         rows = self.table(BONES, "--vertices", "500,1000")
+        # Without voids, a step adds at most one vertex (section 3.3), so every number of vertices occurs.
         self.assertEqual([row[2] for row in rows], [500, 1000])
         rows = self.table(BONES, "--triangles", "1000")
         self.assertLessEqual(rows[0][3], 1000)
 
     def test_warns_of_a_target_below_the_hull(self):
-        """A target that cannot be met gives the hull and a warning."""
+        """A target below the hull gives the hull and a warning."""
         run = self.run_carve(BONES, "--vertices", "5")
         self.assertEqual(run.returncode, 0)
         self.assertIn("warning", run.stderr)
 
     def test_can_leave_exposed_tetrahedra(self):
-        """--carve-exposed off gives more triangles for the same vertices."""
+        """--carve-exposed off gives more triangles at the same number of vertices."""
         on = self.table(BONES, "--vertices", "1000")
         off = self.table(BONES, "--vertices", "1000", "--carve-exposed", "off")
         self.assertGreater(off[0][3], on[0][3])
 
     def test_sets_every_property(self):
-        """Each property option changes the table of the bones, and each of its values is taken."""
+        """Every value of a property option is accepted and changes the table of the bones."""
         plain = self.table(BONES)
         for option, values in (("--initial-approximation", ("bounding-box",)),
                                ("--priority-measure", ("volume", "circumradius", "edge-volume")),
@@ -213,10 +220,10 @@ class TestCarve(unittest.TestCase):
         self.assertNotEqual(self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "off"),
                             self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "on"))
 
-    # What it reads
+    # Input files
 
     def test_reads_all_formats(self):
-        """OBJ, PLY, STL, VTP and legacy VTK of the same mesh give the same table, gzipped or not."""
+        """OBJ, PLY, STL, VTP and legacy VTK files of the same mesh give the same mesh, gzipped or not."""
         names = [
             self.write_cubes(vtkOBJWriter, "cubes.obj"),
             self.write_cubes(vtkPLYWriter, "cubes.ply"),
@@ -231,19 +238,20 @@ class TestCarve(unittest.TestCase):
         upper = self.path("CUBES.STL")
         shutil.copy(self.path("cubes.stl"), upper)
         sizes = {name: [row[2:4] for row in self.table(name)][-1] for name in names + [upper]}
-        self.assertEqual(set(sizes.values()), {(16, 24)}, sizes)
+        self.assertEqual(set(sizes.values()), {(16, 24)}, sizes)  # 8 vertices and 12 triangles per cube
 
     def test_reads_off(self):
-        """OFF with comments, polygons, colors, and counts on the header's line."""
+        """OFF files may have comments, polygons, colors, and counts in the line of the header."""
         with open(self.path("pyramid.off"), "w", encoding="ascii") as file:
             file.write("COFF 5 5 0 # counts\n# points\n0 0 0 255 0 0\n1 0 0 0 0 0\n\n1 1 0 1 1 1\n0 1 0 0 0 0\n"
                        ".5 .5 1e0 0 0 0\n4 3 2 1 0\n3 0 1 4 0.1 0.2 0.3\n3 1 2 4\n3 2 3 4\n3 3 0 4\n")
+        # A pyramid is convex: its only level has its five vertices, four sides and two halves of the base.
         self.assertEqual(self.table("pyramid.off"), [(0, 0, 5, 6, 1, 0, 0)])
 
-    # What it writes
+    # Output files
 
     def test_writes_a_multiblock(self):
-        """-o OUT.vtm holds all levels with their names and arrays."""
+        """-o OUT.vtm writes all levels with their arrays."""
         self.table(BONES, "-o", "out.vtm", "--levels", "3")
         levels = read(vtkXMLMultiBlockDataReader, self.path("out.vtm"))
         self.assertEqual(levels.GetNumberOfBlocks(), 3)
@@ -252,7 +260,7 @@ class TestCarve(unittest.TestCase):
         self.assertEqual(level.GetFieldData().GetArray("Vertices").GetValue(0), level.GetNumberOfPoints())
 
     def test_writes_a_file_per_level(self):
-        """.ply, .obj, .stl and .vtp get a number per level; triangles are those of the table."""
+        """-o OUT.ply, .obj, .stl and .vtp write one numbered file per level, with the triangles of the table."""
         for extension, reader in ((".ply", vtkPLYReader), (".stl", vtkSTLReader), (".vtp", vtkXMLPolyDataReader)):
             rows = self.table(BONES, "-o", "out" + extension, "--levels", "3")
             self.assertEqual(len(glob.glob(self.path("out_*" + extension))), 3)
@@ -263,7 +271,10 @@ class TestCarve(unittest.TestCase):
         self.assertEqual(len(glob.glob(self.path("out_*.obj"))), 3)
 
     def test_warns_when_rounding_makes_a_level_cross_itself(self):
-        """Two tetrahedra, far from the origin, whose facing sides a float cannot tell apart."""
+        """A format that rounds to floats gives a warning if that makes a level cross itself.
+
+        The facing sides of two tetrahedra far from the origin have the same coordinates as floats.
+        """
         gap = 1e-6
         with open(self.path("close.off"), "w", encoding="ascii") as file:
             file.write("OFF\n8 8 0\n")
@@ -280,10 +291,10 @@ class TestCarve(unittest.TestCase):
         run = self.run_carve(BONES, "-o", "out.ply", "--levels", "1")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
 
-    # What it refuses
+    # Errors
 
     def test_refuses_a_wrong_command_line(self):
-        """Exit code 2 and a line that says what is wrong."""
+        """A wrong command line gives exit code 2 and one line with the reason."""
         self.expect_failure(self.run_carve(), 2, "input")
         self.expect_failure(self.run_carve("a.ply", "b.ply"), 2, "more than one")
         self.expect_failure(self.run_carve("--nonsense", BONES), 2, "--nonsense")
@@ -302,7 +313,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve(BONES, "--depth-exponent", number), 2, "--depth-exponent")
 
     def test_refuses_a_wrong_file(self):
-        """Exit code 1 and a line that names the file: missing, a folder, of an unknown or another format."""
+        """A file that is missing, a folder or in a wrong format gives exit code 1 and one line with its name."""
         self.expect_failure(self.run_carve("missing.ply"), 1, "missing.ply", "no such file")
         os.mkdir(self.path("folder.ply"))
         self.expect_failure(self.run_carve("folder.ply"), 1, "folder.ply")
@@ -316,7 +327,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve(name), 1, name, ".ply")
 
     def test_refuses_broken_off_files(self):
-        """What is wrong is named: the header, the counts, a point, a face, a corner."""
+        """The error for a broken OFF file names the header, the counts, the point or the face."""
         for text, word in (("PLY\n", "OFF"), ("OFF\n", "number"), ("OFF\n1 x\n", "numbers"),
                            ("OFF\n1 0 0\n1 2\n", "point 0"), ("OFF\n1 1 0\n1 2 3\n", "face 0"),
                            ("OFF\n1 1 0\n1 2 3\n3 0 0 1\n", "face 0")):
@@ -325,7 +336,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve("broken.off"), 1, "broken.off", word)
 
     def test_refuses_a_truncated_gzip_file(self):
-        """A gzip file that ends early is not read in part."""
+        """A gzip file that ends early is an error."""
         name = self.path("cut.off.gz")
         with open(BONES, "rb") as plain, gzip.open(name, "wb") as packed:
             shutil.copyfileobj(plain, packed)
@@ -333,14 +344,14 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve(name), 1, "cut.off.gz", "gzip")
 
     def test_refuses_a_place_that_cannot_be_written(self):
-        """A folder that cannot be made, since a file is in its place."""
+        """A place that cannot be written, here below a file, gives exit code 1 and one line with its name."""
         with open(self.path("file"), "w", encoding="ascii"):
             pass
         for extension in (".vtm", ".vtp", ".ply", ".obj", ".stl"):
             self.expect_failure(self.run_carve(BONES, "-o", "file/out" + extension), 1, "file/out", "write")
 
     def test_notices_a_full_disk(self):
-        """No format is cut off in silence, nor a level of a multiblock, nor a stream."""
+        """A full disk is an error in every format, for every level of a multiblock and for a stream."""
         for extension in (".vtp", ".ply", ".obj", ".stl"):
             os.symlink("/dev/full", self.path("out_0" + extension))
             self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out_0" + extension)
@@ -357,7 +368,7 @@ class TestCarve(unittest.TestCase):
     # Stored streams
 
     def test_answers_from_a_stored_stream(self):
-        """--stream writes what is enough to give any level later, bit for bit, in another process."""
+        """Levels from a file of --stream have the same bytes as the levels of the carving."""
         for option in (("--levels", "4"), ("--vertices", "300,900"), ("--triangles", "700"), ("--step", "0,55"),
                        ("--feature-size", "0.8")):
             carved = self.table(BONES, "--stream", "out.vtu", "-o", "carved.vtm", *option)
@@ -369,14 +380,14 @@ class TestCarve(unittest.TestCase):
                         self.assertEqual(a.read(), b.read())
 
     def test_refuses_to_carve_a_stream_again(self):
-        """Options of carving do not go with a stored stream, and other .vtu files are no streams."""
+        """A stored stream excludes options for carving, and has to be a .vtu file that exists."""
         self.table(BONES, "--stream", "out.vtu")
         self.expect_failure(self.run_carve("out.vtu", "--depth-exponent", "2"), 2, "--depth-exponent", "already")
         self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
         self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
 
     def test_names_what_is_wrong_with_a_damaged_stream(self):
-        """A stream with an array that is not as it must be, or one that cannot be read, gives one line that says so."""
+        """A damaged stream gives exit code 1 and one line that names the wrong array or the file."""
         self.table(BONES, "--stream", "out.vtu")
         stream = read(vtkXMLUnstructuredGridReader, self.path("out.vtu"))
         pairs = vtkIntArray()
@@ -388,12 +399,12 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve("damaged.vtu"), 1, "ProfileVertices", "2 components")
         with open(self.path("out.vtu"), "rb") as file:
             content = file.read()
-        with open(self.path("cut.vtu"), "wb") as file:  # VTK's reader ends without a word
+        with open(self.path("cut.vtu"), "wb") as file:  # VTK's reader reports no error
             file.write(content.replace(b'"ProfileVertices" NumberOfTuples="', b'"ProfileVertices" NumberOfTuples="1'))
         self.expect_failure(self.run_carve("cut.vtu"), 1, "cut.vtu", "no cells")
 
     def test_writes_names_that_can_be_read(self):
-        """Material names of an OBJ in another encoding do not make the levels unreadable."""
+        """Levels stay readable if the OBJ file has material names in another encoding."""
         with open(self.path("latin.obj"), "wb") as file:
             file.write(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nusemtl Terr\xe6n\n")
             for a, b, c in ((1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)):
@@ -403,7 +414,7 @@ class TestCarve(unittest.TestCase):
         self.assertEqual(level.GetNumberOfPolys(), 4)
 
     def test_carves_contours(self):
-        """Contours go from their hull, a square on whose sides six of their points lie, to the U that they draw."""
+        """--contours carves a U out of its hull, a square."""
         corners = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]
         points, lines = vtkPoints(), vtkCellArray()
         for x, y in corners:
@@ -416,13 +427,14 @@ class TestCarve(unittest.TestCase):
         contour.SetLines(lines)
         self.write(vtkXMLPolyDataWriter, "u.vtp", contour)
         rows = self.table("u.vtp", "--contours", "-o", "levels.vtm")
+        # Six of the eight corners of the U lie on the square.
         self.assertEqual((rows[0][2:], rows[-1][2:]), ((6, 6, 1, 0, 0), (8, 8, 1, 0, 0)))
         self.assertEqual(read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetNumberOfBlocks(), len(rows))
         self.assertIn("--contours", self.run_carve("u.vtp").stderr)
         self.assertEqual(self.run_carve("u.vtp", "--contours", "-o", "levels.stl").returncode, 2)
 
     def test_starts_from_a_given_mesh(self):
-        """--initial-mesh is level 0; one that does not contain the input is refused."""
+        """--initial-mesh gives level 0 and has to contain the input."""
         for size, name in ((100.0, "big.ply"), (0.01, "small.ply")):
             cube = vtkCubeSource()
             cube.SetBounds(-size, size, -size, size, -size, size)
@@ -432,17 +444,17 @@ class TestCarve(unittest.TestCase):
             writer.SetInputConnection(triangulate.GetOutputPort())
             writer.SetFileName(self.path(name))
             writer.Write()
-        self.assertEqual(self.table(BONES, "--initial-mesh", "big.ply")[0], (0, 0, 8, 12, 1, 0, 0))
+        self.assertEqual(self.table(BONES, "--initial-mesh", "big.ply")[0], (0, 0, 8, 12, 1, 0, 0))  # a cube
         self.expect_failure(self.run_carve(BONES, "--initial-mesh", "small.ply"), 1, "does not contain")
         self.expect_failure(self.run_carve(BONES, "--initial-approximation", "custom"), 2, "--initial-mesh")
 
     def test_reports_a_missing_helper(self):
-        """The helper program's absence is one line, too."""
+        """A missing helper program gives exit code 1 and one line with the environment variable."""
         self.expect_failure(
             self.run_carve(BONES, TOPOLOGYCARVING_HELPER="/there/is/none"), 1, "TOPOLOGYCARVING_HELPER")
 
     def test_reports_a_dying_helper(self):
-        """So is its death."""
+        """The death of the helper program gives exit code 1 and one line."""
         script = self.path("helper.sh")
         with open(script, "w", encoding="ascii") as file:
             file.write("#!/bin/sh\nkill -KILL $$\n")
@@ -450,7 +462,7 @@ class TestCarve(unittest.TestCase):
         self.expect_failure(self.run_carve(BONES, TOPOLOGYCARVING_HELPER=script), 1, "died")
 
     def test_takes_the_helper_along_when_killed(self):
-        """However it ends, the helper program and what that has started end too."""
+        """When a signal ends carve, the helper program and its child processes end too."""
         sphere = vtkSphereSource()
         sphere.SetThetaResolution(300)
         sphere.SetPhiResolution(300)
@@ -460,14 +472,14 @@ class TestCarve(unittest.TestCase):
             carve = subprocess.Popen([CARVE, mesh], stdout=subprocess.DEVNULL, cwd=self.folder)
             self.addCleanup(carve.wait)
             self.addCleanup(carve.kill)
-            # The helper, and an attempt, which is a process of the helper's.
+            # The helper program, and an attempt, which is a child process of the helper program.
             started = self.wait_for("an attempt", lambda: descendants(carve.pid), lambda pids: len(pids) >= 2)
             carve.send_signal(end)
             self.assertNotEqual(carve.wait(), 0)
             self.wait_for("the end of both", lambda: list(filter(is_running, started)), lambda pids: not pids)
 
     def wait_for(self, what, look, good):
-        """What is seen as soon as it is good."""
+        """Calls `look` until its result is good, and returns the result."""
         end = time.monotonic() + PATIENCE
         while not good(seen := look()):
             self.assertLess(time.monotonic(), end, f"waited in vain for {what}")

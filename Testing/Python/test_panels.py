@@ -59,8 +59,8 @@ class TestPanels(unittest.TestCase):
             if p.get("command").startswith("Add"):
                 self.assertEqual(instance.GetNumberOfLevelTargets(), 0)
                 continue
-            expected = float(getattr(instance, "Get" + name)()) if hasattr(instance, "Get" + name) else float(others[name])
-            self.assertEqual(float(p.get("default_values")), expected, p.get("name"))
+            default = getattr(instance, "Get" + name)() if hasattr(instance, "Get" + name) else others[name]
+            self.assertEqual(float(p.get("default_values")), float(default), p.get("name"))
 
     def test_defaults_are_the_filters(self):
         """Every property has the default of the filter."""

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Decimates a mesh without changing its topology, then carves it: coarse first in geometry, then in topology.
+"""Decimate a mesh without changing its topology, then carve the decimated mesh.
 
 usage: decimate_first.py MESH.(ply|stl|obj|vtp) [SHARE]
 
-SHARE of the triangles is removed first (default 0.8). This is what section 7 of the paper proposes for meshes
-whose hull has much of their detail. It costs the guarantee: levels enclose the decimated mesh, and the hull of
-that need not bound the given one. How far the given mesh sticks out is printed.
+The decimation removes SHARE of the triangles (default 0.8). Section 7 of the paper proposes this for meshes whose hull
+has much of their detail. The price is the guarantee: levels enclose the decimated mesh, and its hull need not bound the
+given mesh. The script prints how far the given mesh sticks out.
 """
 import sys
 import time
@@ -50,7 +50,7 @@ def carve(mesh):
 
 
 def greatest_distance_outside(mesh, level):
-    """Of the mesh's vertices from the level, as a share of the mesh's diagonal."""
+    """The greatest distance of a vertex of the mesh outside the level, as a share of the mesh's diagonal."""
     distance = vtkImplicitPolyDataDistance()
     distance.SetInput(level)
     points = mesh.GetPoints()
@@ -65,7 +65,7 @@ def report(name, mesh, given, seconds):
     levels = carver.GetOutput()
     hull = levels.GetBlock(0)
     if levels.GetNumberOfBlocks() == 0 or hull is None:
-        sys.exit(1)  # the carver has said why
+        sys.exit(1)  # the carver has reported the reason
     print(f"{name:17}{mesh.GetNumberOfPolys():10,}{hull.GetFieldData().GetArray('Vertices').GetValue(0):10,}"
           f"{carver.GetOutputDataObject(1).GetNumberOfCells() - mesh.GetNumberOfPolys():12,}{seconds:9.2f}"
           f"{100 * greatest_distance_outside(given, hull):12.3f} %")
@@ -81,8 +81,8 @@ def main():
     start = time.perf_counter()
     decimated = decimate(given, share)
     report("decimated first", decimated, given, time.perf_counter() - start)
-    print("Sticks out: the greatest distance of a given vertex from the outside of the hull level, in percent of\n"
-          "the diagonal. After decimation it need not be 0: the decimated mesh's hull need not bound the given one.")
+    print("Sticks out: the greatest distance of a given vertex outside the hull, in percent of the diagonal. After\n"
+          "decimation, it may exceed 0: the hull of the decimated mesh need not bound the given mesh.")
 
 
 if __name__ == "__main__":

@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Render the paper's figures anew, and its table of running times, into a folder with an index.html.
+"""Render the paper's figures and its table of running times to a folder with an index.html.
 
 usage: gallery.py --models FOLDER --output FOLDER [MESH...]
 
-FOLDER has what carving-model writes, NAME.off and NAME.vtk; what is missing is left out. MESHes (OFF,
-PLY, OBJ, STL) get a picture and a row of the table each; of them, bones is drawn as in Figures 1 and 8.
-Needs VTK's Python modules with numpy, topologycarving on PYTHONPATH, and a display (xvfb-run provides
-one where there is none).
+The folder of models contains the files of carving-model, NAME.off and NAME.vtk; missing models are skipped. Each MESH
+(OFF, PLY, OBJ, STL) gets a picture and a row of the table; bones is also rendered as in Figures 1 and 8. The script
+needs VTK's Python modules with numpy, topologycarving on PYTHONPATH, and a display (or xvfb-run).
 """
 import argparse
 import html
@@ -39,16 +38,16 @@ th:first-child, td:first-child, .paper { text-align: left; } tr { border-bottom:
 
 
 def vertex_count(level):
-    """Without the copies that make a level manifold."""
+    """The number of vertices without the copies that make a level manifold."""
     count = level.GetFieldData().GetArray("Vertices")
     return int(count.GetTuple1(0)) if count else level.GetNumberOfPoints()
 
 
 def surface_text(level):
-    components, tunnels = topology(level)
-    tunnels = "-" if tunnels is None else f"{tunnels:,}"
+    components, genus = topology(level)
+    genus = "-" if genus is None else f"{genus:,}"
     return (f"{vertex_count(level):,} vertices, {level.GetNumberOfPolys():,} triangles\n"
-            f"components {components:,}, tunnels {tunnels}")
+            f"components {components:,}, genus {genus}")
 
 
 def contour_text(level):
@@ -56,7 +55,7 @@ def contour_text(level):
 
 
 def contour_actors(level):
-    """A contour's inside and its edges: blue where carved, else dark."""
+    """Actors for the inside of a contour and for its edges, which are blue if carved and dark otherwise."""
     inside = vtkContourTriangulator()
     inside.SetInputData(level)
     mapper = vtkPolyDataMapper()
@@ -75,7 +74,7 @@ def contour_actors(level):
 
 
 def carve(mesh, levels, carver_type=vtkTopologyCarver, **properties):
-    """The carver, run, and its levels."""
+    """Runs a carver and returns the carver and its levels."""
     carver = carver_type()
     carver.SetInputData(mesh)
     carver.SetNumberOfLevels(levels)
@@ -85,7 +84,7 @@ def carve(mesh, levels, carver_type=vtkTopologyCarver, **properties):
     blocks = carver.GetOutput()
     found = [blocks.GetBlock(i) for i in range(blocks.GetNumberOfBlocks())]
     if not found:
-        sys.exit("A model could not be carved; the message is above.")
+        sys.exit("A model could not be carved; see the error above.")
     return carver, found
 
 
@@ -117,7 +116,7 @@ class Gallery:
         self.draw(picture, title, found, view, up)
 
     def against_collapse(self, name, mesh):
-        """Figure 1, with VTK's own filters in the place of pair collapse."""
+        """Figure 1, with VTK's filters instead of pair collapse."""
         _, levels = carve(mesh, 8)
         level = min(levels, key=lambda l: abs(l.GetNumberOfPolys() - mesh.GetNumberOfPolys() / 3))
         count = level.GetNumberOfPolys()
@@ -145,14 +144,14 @@ class Gallery:
         with open(f"{self.folder}/index.html", "w", encoding="utf-8") as file:
             file.write("<!DOCTYPE html>\n<meta charset=\"utf-8\">\n<title>Carving: the figures</title>\n"
                        f"<style>{STYLE}</style>\n<h1>Carving for topology simplification</h1>\n"
-                       "<p>Levels from coarse to fine. Blue is carved, ivory is the input's own. Tunnels "
-                       "are those of closed surfaces; else there is a dash.</p>\n"
+                       "<p>Levels from coarse to fine. Carved faces are blue, faces of the input "
+                       "are ivory. The genus is given for closed surfaces only.</p>\n"
                        + "\n".join(self.figures)
                        + f"\n<h2>Table 1</h2>\n<table><tr>{head}</tr>\n{body}</table>\n")
 
 
-# Name, title, view and up, and the pictures: what is said of each and its properties, of which a
-# BreadthRadius is in diagonals.
+# Name, title, view, up direction, and the pictures: for each, its caption and its properties. A BreadthRadius is in
+# diagonals of the mesh.
 SURFACES = [
     ("two-spheres", "Figure 4: two spheres", None, None, [("", {})]),
     ("eight-spheres", "Figure 10: eight spheres", (0.5, 0.4, 1), (0, 1, 0),
@@ -204,7 +203,7 @@ def fill(gallery, models, meshes):
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--models", required=True, help="folder of what carving-model writes")
+    parser.add_argument("--models", required=True, help="folder of the models from carving-model")
     parser.add_argument("--output", required=True, help="folder for the pictures and index.html")
     parser.add_argument("meshes", nargs="*", metavar="MESH", help="further meshes of triangles")
     arguments = parser.parse_args()

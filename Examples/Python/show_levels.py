@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Render the levels of a carved mesh side by side into a PNG.
+"""Render the levels of a carved mesh side by side to a PNG file.
 
 usage: show_levels.py LEVELS.vtm PICTURE.png [--columns N] [--view X Y Z] [--up X Y Z]
 
-Faces of the input mesh are ivory, carved faces are blue. Needs VTK's Python modules and a display
-(xvfb-run provides one where there is none).
+Faces of the input mesh are ivory, carved faces are blue. The script needs VTK's Python modules and a display (or
+xvfb-run).
 """
 import argparse
 
@@ -36,7 +36,7 @@ def read_levels(path):
 
 
 def make_actor(level):
-    """The level, colored by whether a face is the input's."""
+    """An actor for a level, with different colors for faces of the input and carved faces."""
     kind = vtkArrayCalculator()
     kind.SetInputData(level)
     kind.SetAttributeTypeToCellData()
@@ -61,7 +61,7 @@ def make_actor(level):
 
 
 def level_text(level):
-    vertices = level.GetFieldData().GetArray("Vertices").GetValue(0)  # without the copies of cutting
+    vertices = level.GetFieldData().GetArray("Vertices").GetValue(0)  # without the copies that cutting makes
     return f"{vertices:,} vertices, {level.GetNumberOfPolys():,} triangles"
 
 
@@ -77,7 +77,7 @@ def make_caption(text):
 
 
 def default_view(bounds):
-    """A direction that shows the mesh's broad side, from a little above and aside; y is up if it can be."""
+    """A direction that shows the broad side of a mesh, slightly from above and from the side, and the up direction."""
     size = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
     thin = size.index(min(size))
     view = [0.45] * 3
@@ -98,7 +98,7 @@ def place_camera(renderer, bounds, view, up):
 
 
 def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level: [make_actor(level)], bounds=None):
-    """A window with a tile per level. All show the same part of space, by default that of the first level."""
+    """A window with a tile per level. All tiles show the same part of space, by default that of the first level."""
     rows = -(-len(levels) // columns)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -137,11 +137,11 @@ def main():
     parser.add_argument("picture")
     parser.add_argument("--columns", type=int, default=4, help="levels in a row (default 4)")
     parser.add_argument("--view", type=float, nargs=3, help="direction from the mesh to the camera")
-    parser.add_argument("--up", type=float, nargs=3, help="what is up in the picture")
+    parser.add_argument("--up", type=float, nargs=3, help="direction that points up in the picture")
     arguments = parser.parse_args()
     levels = read_levels(arguments.levels)
     if not levels:
-        parser.error(f"there is no level in {arguments.levels}")
+        parser.error(f"{arguments.levels} contains no level")
     window = render(levels, min(arguments.columns, len(levels)), arguments.view, arguments.up)
     write_picture(window, arguments.picture)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What gallery.py does with surfaces besides carving: read them, count tunnels, decimate."""
+"""Reading, measuring and decimating surfaces, for the scripts that render pictures."""
 import os
 import sys
 
@@ -20,7 +20,7 @@ READERS = {".ply": vtkPLYReader, ".obj": vtkOBJReader, ".stl": vtkSTLReader, ".v
 
 
 def read_off(path):
-    """A mesh of triangles from an OFF file, which VTK 9.1 does not read."""
+    """Reads a mesh of triangles from an OFF file, which VTK 9.1 cannot read."""
     with open(path, encoding="ascii") as file:
         lines = (line.split("#")[0] for line in file)
         words = " ".join(lines).split()
@@ -33,7 +33,7 @@ def read_off(path):
     points.SetData(numpy_to_vtk(numpy.array(words[4:split], float).reshape(-1, 3), deep=True))
     faces = numpy.array(words[split:split + 4 * face_count], numpy.int64)
     if len(faces) != 4 * face_count or (faces[::4] != 3).any():
-        sys.exit(f"{path} has other faces than triangles")
+        sys.exit(f"{path} has faces that are not triangles")
     cells = vtkCellArray()
     cells.SetCells(face_count, numpy_to_vtkIdTypeArray(faces, deep=True))
     mesh = vtkPolyData()
@@ -55,7 +55,7 @@ def read(path):
 
 
 def topology(surface):
-    """Components and tunnels of a surface, by its point ids; tunnels are None if it is not closed."""
+    """The components and the genus of a surface, by its point ids. The genus is None if the surface is not closed."""
     connectivity = vtkPolyDataConnectivityFilter()
     connectivity.SetInputData(surface)
     connectivity.SetExtractionModeToAllRegions()
@@ -79,7 +79,7 @@ def decimated(mesh, triangles):
 
 
 def clustered(mesh, triangles):
-    """By cubes of the size that gives a number of triangles closest to the one asked for."""
+    """Clusters vertices in cubes of a size for which the number of triangles is closest to the given one."""
     bounds = numpy.array(mesh.GetBounds()).reshape(3, 2)
     size = bounds[:, 1] - bounds[:, 0]
     best = None

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Render the pictures of Filters/TOPOLOGY.md into a folder.
+"""Render the pictures of Filters/TOPOLOGY.md to a folder.
 
 usage: topology_pictures.py CHEESE.off SCONE.off FOLDER
 
-CHEESE.off is the mesh of that name from Debian's libcgal-demo, SCONE.off what carving-model writes. All
-numbers in the pictures are those that the carver counts. Needs VTK's Python modules, topologycarving on
-PYTHONPATH, and a display (xvfb-run provides one where there is none).
+CHEESE.off is the mesh of that name from Debian's package libcgal-demo, SCONE.off a model from carving-model. The carver
+counts all numbers in the pictures. The script needs VTK's Python modules, topologycarving on PYTHONPATH, and a display
+(or xvfb-run).
 """
 import sys
 
@@ -63,7 +63,7 @@ def flipped(mesh):
 
 
 def box(x, y, z):
-    """From one corner to the other, per axis."""
+    """A box, given by its range along each axis."""
     source = vtkCubeSource()
     source.SetBounds(*x, *y, *z)
     triangles = vtkTriangleFilter()
@@ -92,14 +92,14 @@ def torus():
     source.SetParametricFunction(shape)
     source.SetUResolution(48)
     source.SetVResolution(24)
-    seams = vtkCleanPolyData()  # the two ends of each direction differ by rounding
+    seams = vtkCleanPolyData()  # both ends of each direction differ by rounding
     seams.SetTolerance(1e-6)
     seams.SetInputConnection(source.GetOutputPort())
     return output(seams)
 
 
 def frame():
-    """The edges of a cube, of 5 x 5 x 5 blocks."""
+    """The frame of a cube, made of the outer blocks along the edges of 5 x 5 x 5 blocks."""
     image = vtkImageData()
     image.SetDimensions(6, 6, 6)
     image.SetOrigin(-1, -1, -1)
@@ -124,13 +124,13 @@ def frame():
 
 
 def ring():
-    """Four cubes around a square; each touches two others in an edge."""
+    """Four cubes around a square, each of which touches two others in an edge."""
     places = ((0, 1), (1, 0), (1, 2), (2, 1))
     return moved(joined(*(box((x, x + 1), (y, y + 1), (0, 1)) for x, y in places)), -1.5, -1.5, -0.5)
 
 
 def levels(mesh, kind=None, targets=(), measure=vtkTopologyCarver.LONGEST_EDGE):
-    """The mesh as carved, or a level for each target."""
+    """One level for each target; without targets, the last level."""
     carver = vtkTopologyCarver()
     carver.SetInputData(mesh)
     carver.SetConformity(carver.EXACT)
@@ -159,7 +159,7 @@ def closed_text(level):
 
 
 def plain_actor(mesh, color):
-    """Back faces, which only show where something is cut open, are one flat dark red."""
+    """Back faces are visible only where a solid is cut open. They are plain dark red."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(mesh)
     mapper.ScalarVisibilityOff()
@@ -178,7 +178,7 @@ def plain_actor(mesh, color):
 
 
 def opened_actors(level):
-    """What has a void is cut open for the eye."""
+    """Cuts a level with voids open to show its inside."""
     if number(level, "Voids") == 0:
         return [plain_actor(level, SOLID)]
     plane = vtkPlane()
@@ -190,7 +190,7 @@ def opened_actors(level):
 
 
 def piece_actors(level):
-    """The components of the surface, pulled apart."""
+    """The components of the surface, moved apart."""
     actors = []
     regions = vtkPolyDataConnectivityFilter()
     regions.SetInputData(level)
@@ -198,7 +198,7 @@ def piece_actors(level):
     for i in range(number(level, "SurfaceComponents")):
         regions.InitializeSpecifiedRegionList()
         regions.AddSpecifiedRegion(i)
-        used = vtkCleanPolyData()  # leaves the other regions' points out
+        used = vtkCleanPolyData()  # removes the points of the other regions
         used.PointMergingOff()
         used.SetInputConnection(regions.GetOutputPort())
         center = output(used).GetCenter()
@@ -212,7 +212,7 @@ def surface_text(level):
 
 
 def draw(path, shown, columns, view, up, text_of=closed_text, actors_of=lambda level: [make_actor(level)]):
-    bounds = [1.22 * b for b in shown[0].GetBounds()]  # room for captions; all have their center in the origin
+    bounds = [1.22 * b for b in shown[0].GetBounds()]  # room for captions; all shapes are centered at the origin
     write_picture(render(shown, columns, view, up, text_of, actors_of, bounds), path)
 
 

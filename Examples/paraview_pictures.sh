@@ -38,7 +38,7 @@ picture() {
       kill $!' bash "$build_root/paraview" \
       "$build_root/plugin-release/lib/paraview-5.11/plugins/TopologyCarving" "$work" "$1" "$work/$2.png"
   grep -q 'Success =  true' "$work/$1.log" || die "The session $1 failed; see $work/$1.log"
-  # Smaller and with fewer colours, for the web.
+  # Smaller and with fewer colors, for the web.
   convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"
 }
 picture PlayCarving paraview-play

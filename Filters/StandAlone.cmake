@@ -7,7 +7,7 @@ find_program(Python3_EXECUTABLE NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
 find_package(VTK 9.1 REQUIRED
   COMPONENTS
     CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore FiltersGeneral vtksys
-    IOCore IOGeometry IOLegacy IOPLY IOXML ParallelCore
+    ParallelCore
   OPTIONAL_COMPONENTS
     FiltersSources InteractionStyle Python RenderingCore RenderingOpenGL2 TestingCore
     TestingRendering WrappingPythonCore)

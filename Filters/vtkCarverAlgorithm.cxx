@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCarverAlgorithm.h"
 
-#include "Objects/CompositeTree.h"
+#include "Convert/ArrayTools.h"
+#include "Objects/DataVersion.h"
 #include "Objects/ObjectExchange.h"
+#include "Objects/OutputType.h"
 #include "Session/CarverSession.h"
+#include "vtkCarverProperty.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
@@ -55,9 +60,18 @@ static_assert(IsSame(Filter::VERTICES, LevelTarget::Vertices) &&
 
 } // namespace
 
+/** The state of everything that an update depends on. */
+struct vtkCarverAlgorithm::Version
+{
+  vtkMTimeType Properties = 0;
+  DataVersion Input;
+  DataVersion Initial;
+};
+
 //------------------------------------------------------------------------------
 vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
   : Exchange(new ObjectExchange)
+  , Done(new Version)
 {
   if (dimension == 2)
   {
@@ -96,42 +110,6 @@ void vtkCarverAlgorithm::SetNumber(
     property = clamped;
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetDepthExponent(double value)
-{
-  this->SetNumber("DepthExponent", value, VTK_DOUBLE_MAX, this->DepthExponent);
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetBreadthRadius(double value)
-{
-  this->SetNumber("BreadthRadius", value, VTK_DOUBLE_MAX, this->BreadthRadius);
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetEnclosingTolerance(double value)
-{
-  this->SetNumber("EnclosingTolerance", value, 1.0, this->EnclosingTolerance);
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetSnapTolerance(double value)
-{
-  this->SetNumber("SnapTolerance", value, 1.0, this->SnapTolerance);
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetTimeLimit(double value)
-{
-  this->SetNumber("TimeLimit", value, VTK_DOUBLE_MAX, this->TimeLimit);
-}
-
-//------------------------------------------------------------------------------
-void vtkCarverAlgorithm::SetMemoryLimit(double value)
-{
-  this->SetNumber("MemoryLimit", value, VTK_DOUBLE_MAX, this->MemoryLimit);
 }
 
 //------------------------------------------------------------------------------
@@ -209,18 +187,18 @@ int vtkCarverAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
   const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
-  const char* types[] = { "vtkMultiBlockDataSet",
-    composite ? "vtkMultiBlockDataSet" : "vtkUnstructuredGrid",
-    composite ? "vtkMultiBlockDataSet" : "vtkTable" };
+  const int types[] = { VTK_MULTIBLOCK_DATA_SET,
+    composite ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID,
+    composite ? VTK_MULTIBLOCK_DATA_SET : VTK_TABLE };
   for (int port = 0; port < 3; ++port)
   {
-    SetOutputClass(out, port, types[port]);
+    OutputType::SetOutputDataObject(types[port], out->GetInformationObject(port));
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-CarverSettings vtkCarverAlgorithm::GetSettings() const
+CarverSettings vtkCarverAlgorithm::GetSettings()
 {
   CarverSettings settings;
   settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
@@ -246,6 +224,19 @@ CarverSettings vtkCarverAlgorithm::GetSettings() const
                                                     : this->KeepBothFoldSides == BOTH_SIDES;
   settings.Folds = both ? carving::FoldSides::Both : carving::FoldSides::One;
   settings.ManifoldOutput = this->ManifoldOutput;
+  settings.Stored = vtkSmartPointer<vtkFieldData>::New();
+  for (const vtkCarverProperty& property : vtkCarverProperty::GetAll())
+  {
+    if (property.IsStored && property.IsInteger)
+    {
+      AddFieldValue<vtkIntArray>(
+        settings.Stored, property.Name.c_str(), static_cast<int>(property.Get(this)));
+    }
+    else if (property.IsStored)
+    {
+      AddFieldValue<vtkDoubleArray>(settings.Stored, property.Name.c_str(), property.Get(this));
+    }
+  }
   return settings;
 }
 
@@ -262,6 +253,9 @@ int vtkCarverAlgorithm::RequestData(
     vtkDataObject::GetData(out, 2) };
   vtkSmartPointer<vtkDataObject> input = vtkDataObject::GetData(in[0], 0);
   vtkSmartPointer<vtkPolyData> initial = vtkPolyData::GetData(in[1], 0);
+  *this->Done = {};
+  const Version version = { this->vtkCarverAlgorithm::GetMTime(), DataVersion(input),
+    DataVersion(initial) };
   this->Exchange->SetController(this->Controller);
   const bool parallel = this->Exchange->IsParallel();
   if (parallel)
@@ -277,56 +271,44 @@ int vtkCarverAlgorithm::RequestData(
     }
   }
   const bool good = this->Session->Update(input, initial, settings, ports);
-  if (!good)
-  {
-    ports.Levels->Initialize();
-    ports.Stream->Initialize();
-    ports.Profile->Initialize();
-  }
   this->WasAborted = IsAborted(this);
-  if (parallel)
+  if (good && !this->WasAborted)
   {
-    this->Exchange->Match(ports.Levels);
-    this->Exchange->Match(ports.Stream);
-    this->Exchange->Match(ports.Profile);
+    *this->Done = version;
+  }
+  for (vtkDataObject* output : ports.GetAll())
+  {
+    if (!good)
+    {
+      output->Initialize();
+    }
+    if (parallel)
+    {
+      this->Exchange->Match(output);
+    }
   }
   return good || this->WasAborted ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCarverAlgorithm::IsUpToDate(vtkInformationVector** in)
+{
+  const bool here = this->Done->Properties == this->vtkCarverAlgorithm::GetMTime() &&
+    this->Done->Input.IsOf(vtkDataObject::GetData(in[0])) &&
+    this->Done->Initial.IsOf(vtkDataObject::GetData(in[1]));
+  this->Exchange->SetController(this->Controller);
+  return this->Exchange->IsTrueOnAll(here);
 }
 
 //------------------------------------------------------------------------------
 void vtkCarverAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  constexpr const char* initials[] = { "CONVEX_HULL", "BOUNDING_BOX", "CUSTOM" };
-  constexpr const char* measures[] = { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" };
-  constexpr const char* depths[] = { "HIERARCHY", "DISTANCE" };
-  constexpr const char* rules[] = { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" };
-  constexpr const char* conformities[] = { "EXACT", "ENCLOSING", "AUTO" };
   os << indent << "Controller: " << this->Controller << "\n";
-  os << indent << "InitialApproximation: " << initials[this->InitialApproximation] << "\n";
-  os << indent << "PriorityMeasure: " << measures[this->PriorityMeasure] << "\n";
-  os << indent << "DepthExponent: " << this->DepthExponent << "\n";
-  os << indent << "DepthMeasure: " << depths[this->DepthMeasure] << "\n";
-  os << indent << "BreadthRadius: " << this->BreadthRadius << "\n";
-  os << indent << "CarveExposed: " << (this->CarveExposed ? "On" : "Off") << "\n";
-  os << indent << "CarveVoids: " << (this->CarveVoids ? "On" : "Off") << "\n";
-  os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
-  os << indent << "MaximumTunnels: " << this->MaximumTunnels << "\n";
-  os << indent << "MaximumVoids: " << this->MaximumVoids << "\n";
-  os << indent << "SolidRule: " << rules[this->SolidRule] << "\n";
-  os << indent << "Conformity: " << conformities[this->Conformity] << "\n";
-  os << indent << "EnclosingTolerance: " << this->EnclosingTolerance << "\n";
-  os << indent << "SnapTolerance: " << this->SnapTolerance << "\n";
-  os << indent << "AppendInput: " << (this->AppendInput ? "On" : "Off") << "\n";
-  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  constexpr const char* folds[] = { "ONE_SIDE", "BOTH_SIDES", "AUTO" };
-  os << indent << "KeepBothFoldSides: " << folds[this->KeepBothFoldSides] << "\n";
-  os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
-  os << indent << "ComputeError: " << (this->ComputeError ? "On" : "Off") << "\n";
-  os << indent << "LevelTargetType: "
-     << carving::LevelTargetName(static_cast<carving::LevelTarget>(this->LevelTargetType)) << "\n";
+  for (const vtkCarverProperty& property : vtkCarverProperty::GetAll())
+  {
+    os << indent << property.Name << ": " << property.GetText(this) << "\n";
+  }
   os << indent << "LevelTargets:";
   for (const double target : this->Targets)
   {

@@ -120,7 +120,10 @@ public:
    * carving advances from all sides instead of digging deep (snaking, section 5.1). At least 0, the
    * default, by which depth does not matter.
    */
-  void SetDepthExponent(double value);
+  void SetDepthExponent(double value)
+  {
+    this->SetNumber("DepthExponent", value, VTK_DOUBLE_MAX, this->DepthExponent);
+  }
   vtkGetMacro(DepthExponent, double);
   ///@}
 
@@ -142,7 +145,10 @@ public:
    * the width of the gaps between parts works best; much wider, and a step reaches deep into them
    * again.
    */
-  void SetBreadthRadius(double value);
+  void SetBreadthRadius(double value)
+  {
+    this->SetNumber("BreadthRadius", value, VTK_DOUBLE_MAX, this->BreadthRadius);
+  }
   vtkGetMacro(BreadthRadius, double);
   ///@}
 
@@ -234,7 +240,10 @@ public:
    * 100,000. The field data's `KeptDistance` says what has been reached. Default 0.02, range 0 to 1; 0: no
    * vertex is added, and levels have the mesh's alone.
    */
-  void SetEnclosingTolerance(double value);
+  void SetEnclosingTolerance(double value)
+  {
+    this->SetNumber("EnclosingTolerance", value, 1.0, this->EnclosingTolerance);
+  }
   vtkGetMacro(EnclosingTolerance, double);
   ///@}
 
@@ -249,7 +258,10 @@ public:
    * that is smaller than the tolerance, only a finer grid can be used, or none. Default 0, range 0 to 1:
    * no point is ever moved. 1e-6 is worth a try.
    */
-  void SetSnapTolerance(double value);
+  void SetSnapTolerance(double value)
+  {
+    this->SetNumber("SnapTolerance", value, 1.0, this->SnapTolerance);
+  }
   vtkGetMacro(SnapTolerance, double);
   ///@}
 
@@ -270,9 +282,15 @@ public:
    * counts as failed. 0, the default: no limit on memory, and processor time in which TetGen does any mesh
    * that it can, so that what comes out does not depend on how busy the machine is.
    */
-  void SetTimeLimit(double value);
+  void SetTimeLimit(double value)
+  {
+    this->SetNumber("TimeLimit", value, VTK_DOUBLE_MAX, this->TimeLimit);
+  }
   vtkGetMacro(TimeLimit, double);
-  void SetMemoryLimit(double value);
+  void SetMemoryLimit(double value)
+  {
+    this->SetNumber("MemoryLimit", value, VTK_DOUBLE_MAX, this->MemoryLimit);
+  }
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
@@ -392,6 +410,12 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
+  /**
+   * Whether the last update succeeded with the same inputs and properties, none of which has changed since. In
+   * a parallel run the answer is the same on all processes, all of which must ask.
+   */
+  bool IsUpToDate(vtkInformationVector** in);
+
   int InitialApproximation = CONVEX_HULL;
   int PriorityMeasure = LONGEST_EDGE;
   double DepthExponent = 0.0;
@@ -420,7 +444,9 @@ private:
   vtkCarverAlgorithm(const vtkCarverAlgorithm&) = delete;
   void operator=(const vtkCarverAlgorithm&) = delete;
 
-  CarverSettings GetSettings() const;
+  struct Version;
+
+  CarverSettings GetSettings();
   /** Sets a property to the number within the range; one that is not finite is an error. */
   void SetNumber(const char* name, double number, double greatest, double& property);
 
@@ -428,6 +454,7 @@ private:
   vtkMultiProcessController* Controller = nullptr;
   std::unique_ptr<CarverSessionBase> Session;
   std::unique_ptr<ObjectExchange> Exchange;
+  std::unique_ptr<Version> Done; ///< by the last update, if it succeeded
 };
 
 #endif

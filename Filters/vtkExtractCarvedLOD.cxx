@@ -2,9 +2,13 @@
 #include "vtkExtractCarvedLOD.h"
 
 #include "Convert/LevelOutput.h"
+#include "Convert/ProfileInput.h"
 #include "Convert/StreamInput.h"
+#include "Convert/StreamOutput.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Objects/CompositeTree.h"
+#include "Objects/DataVersion.h"
+#include "Objects/OutputType.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -14,8 +18,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +33,7 @@ namespace
 /** A stream that has been read from a grid. */
 struct Prepared
 {
-  vtkWeakPointer<vtkUnstructuredGrid> Grid;
-  vtkMTimeType Time = 0;
+  DataVersion Grid;
   std::string Error;
   carving::Profile Profile;
   // One of them, by the stream's dimension.
@@ -55,6 +58,12 @@ int StepOfTime(Prepared& stream, double time, int numberOfTimes)
   return stream.StepsOfTimes[static_cast<std::size_t>(std::lround(fraction * last))];
 }
 
+/** The data object on the input port as it is now, or null. */
+vtkDataObject* GetInputOf(vtkAlgorithm* filter)
+{
+  return filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputDataObject(0, 0) : nullptr;
+}
+
 } // namespace
 
 /** The streams of all inputs that are alive: a composite has many. */
@@ -64,10 +73,9 @@ public:
   /** Null if it has not been read, or has changed since. */
   Prepared* Find(vtkUnstructuredGrid* grid)
   {
-    this->All.remove_if([](const Prepared& stream)
-      { return !stream.Grid || stream.Grid->GetMTime() != stream.Time; });
+    this->All.remove_if([](const Prepared& stream) { return !stream.Grid.IsCurrent(); });
     const auto found = std::find_if(this->All.begin(), this->All.end(),
-      [grid](const Prepared& stream) { return stream.Grid == grid; });
+      [grid](const Prepared& stream) { return stream.Grid.IsOf(grid); });
     return found != this->All.end() ? &*found : nullptr;
   }
 
@@ -78,11 +86,26 @@ public:
       return *found;
     }
     Prepared& stream = this->All.emplace_back();
-    stream.Grid = grid;
-    stream.Time = grid->GetMTime();
+    stream.Grid = DataVersion(grid);
     stream.Error = GetStreamDimension(grid) == 2 ? ReadStream(grid, stream.Plane, stream.Profile)
                                                  : ReadStream(grid, stream.Space, stream.Profile);
     return stream;
+  }
+
+  /** The profiles of all streams in a data object, which can be null. Only the profiles are read. */
+  std::vector<carving::Profile> GetProfiles(vtkDataObject* input)
+  {
+    std::vector<carving::Profile> profiles;
+    for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
+    {
+      const Prepared* stream = this->Find(grid);
+      carving::Profile profile;
+      if (stream ? stream->Error.empty() : ReadProfile(grid, profile).empty())
+      {
+        profiles.push_back(stream ? stream->Profile : profile);
+      }
+    }
+    return profiles;
   }
 
 private:
@@ -116,7 +139,8 @@ vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
-    SetOutputClass(out, 0, composite ? "vtkMultiBlockDataSet" : "vtkPolyData");
+    OutputType::SetOutputDataObject(
+      composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0));
     return 1;
   }
   return this->Superclass::ProcessRequest(request, in, out);
@@ -174,22 +198,28 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
 {
   range[0] = range[1] = 0.0;
   bool found = false;
-  vtkDataObject* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
-  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
+  for (const carving::Profile& profile : this->Streams->GetProfiles(GetInputOf(this)))
   {
-    const Prepared* stream = this->Streams->Find(grid);
-    carving::Profile profile;
-    if (stream ? stream->Error.empty() : ReadProfile(grid, profile).empty())
-    {
-      const auto [least, greatest] = carving::GetTargetRange(
-        stream ? stream->Profile : profile, static_cast<carving::LevelTarget>(type));
-      range[0] = found ? std::min(range[0], least) : least;
-      range[1] = found ? std::max(range[1], greatest) : greatest;
-      found = true;
-    }
+    const auto [least, greatest] =
+      carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type));
+    range[0] = found ? std::min(range[0], least) : least;
+    range[1] = found ? std::max(range[1], greatest) : greatest;
+    found = true;
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::GetProfile(vtkTable* profile)
+{
+  profile->Initialize();
+  const std::vector<carving::Profile> profiles = this->Streams->GetProfiles(GetInputOf(this));
+  if (profiles.empty())
+  {
+    return false;
+  }
+  FillProfile(profiles.front(), profile);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 #include <memory> // for std::unique_ptr
 
 class vtkMultiBlockDataSet;
+class vtkTable;
 class vtkUnstructuredGrid;
 
 class VTKTOPOLOGYCARVING_EXPORT vtkExtractCarvedLOD : public vtkPolyDataAlgorithm
@@ -94,6 +95,12 @@ public:
    * of all its streams together. Returns false, and 0 and 0, if there is none.
    */
   bool GetLevelTargetRange(int type, double range[2]);
+
+  /**
+   * Fills a table with the profile of the input as it is now, as on output port 2 of the carver: of the first
+   * stream of a composite input. Returns false, and an empty table, if there is none.
+   */
+  bool GetProfile(vtkTable* profile);
 
   ///@{
   /** Whether the level is cut into oriented manifolds, as in vtkTopologyCarver. Default on. */

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTopologyCarver.h"
 
+#include "Convert/CarverInput.h"
+#include "Process/HelperProcess.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <utility>
 
 vtkStandardNewMacro(vtkTopologyCarver);
 
@@ -13,3 +18,24 @@ vtkTopologyCarver::vtkTopologyCarver()
 
 //------------------------------------------------------------------------------
 vtkTopologyCarver::~vtkTopologyCarver() = default;
+
+//------------------------------------------------------------------------------
+int vtkTopologyCarver::CountIntersectingPairs(vtkPolyData* mesh)
+{
+  CarverInput input;
+  std::string error = input.Gather(mesh);
+  carving::Reply reply;
+  if (error.empty())
+  {
+    carving::Job job;
+    job.Kind = carving::JobKind::CountIntersections;
+    job.Mesh = std::move(input.Mesh);
+    HelperProcess::Run(job, reply, nullptr, error);
+  }
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return -1;
+  }
+  return reply.IntersectingPairs;
+}

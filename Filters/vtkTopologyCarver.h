@@ -101,11 +101,20 @@
 #include "vtkCarverAlgorithm.h"
 #include "vtkTopologyCarvingModule.h" // for export macro
 
+class vtkPolyData;
+
 class VTKTOPOLOGYCARVING_EXPORT vtkTopologyCarver : public vtkCarverAlgorithm
 {
 public:
   static vtkTopologyCarver* New();
   vtkTypeMacro(vtkTopologyCarver, vtkCarverAlgorithm);
+
+  /**
+   * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are equal have
+   * been merged. The helper program does the work. Returns -1 after an error, which is reported. The
+   * properties, inputs and outputs of the filter play no part.
+   */
+  int CountIntersectingPairs(vtkPolyData* mesh);
 
 protected:
   vtkTopologyCarver();

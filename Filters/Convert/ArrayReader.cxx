@@ -30,6 +30,12 @@ Demand FiniteMeasures()
     [](double value, vtkIdType) { return std::isfinite(value) && value >= 0.0; } };
 }
 
+Demand Priorities(const std::function<bool(vtkIdType entry)>& hasPriority)
+{
+  return { "a number of at least 0 (NaN where nothing is carved)",
+    [=](double value, vtkIdType i) { return hasPriority(i) ? value >= 0.0 : std::isnan(value); } };
+}
+
 vtkDataArray* ArrayReader::Check(
   vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand)
 {

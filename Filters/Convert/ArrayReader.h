@@ -28,6 +28,9 @@ Demand IntegersFrom(int least, int greatest);
 /** Finite numbers that are not negative. */
 Demand FiniteMeasures();
 
+/** Numbers that are not negative where `hasPriority(entry)`, and NaN elsewhere. */
+Demand Priorities(const std::function<bool(vtkIdType entry)>& hasPriority);
+
 /** Reads arrays up to the first one that is not as it has to be, and says what is wrong with that one. */
 class ArrayReader
 {

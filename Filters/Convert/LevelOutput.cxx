@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/LevelOutput.h"
 
+#include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
-#include "Convert/StreamOutput.h"
+
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 #include "vtkCellArray.h"
@@ -46,13 +47,13 @@ struct ClosedTopology
 void FillTopology(const ClosedTopology& closed, int dimension,
   const carving::SurfaceTopology& surface, vtkFieldData* fieldData)
 {
-  AddFieldValue<vtkIntArray>(fieldData, "Components", closed.Components);
-  AddFieldValue<vtkIntArray>(fieldData, "Tunnels", closed.Tunnels);
-  AddFieldValue<vtkIntArray>(fieldData, "Voids", closed.Voids);
-  AddFieldValue<vtkIntArray>(fieldData, "SurfaceComponents", surface.Components);
+  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::Components, closed.Components);
+  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::Tunnels, closed.Tunnels);
+  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::Voids, closed.Voids);
+  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::SurfaceComponents, surface.Components);
   if (dimension == 3)
   {
-    AddFieldValue<vtkIntArray>(fieldData, "SurfaceGenus", surface.Genus);
+    AddFieldValue<vtkIntArray>(fieldData, LevelArrays::SurfaceGenus, surface.Genus);
   }
 }
 
@@ -71,11 +72,11 @@ carving::SurfaceTopology MeasureLevel(const carving::ManifoldLevel<2>& level, bo
 void FillFieldData(const carving::Profile& profile, int step, const char* kind, int newVertices,
   vtkIdType numberOfFaces, vtkUnstructuredGrid* grid, vtkFieldData* fieldData)
 {
-  AddFieldValue<vtkIntArray>(fieldData, "Step", step);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "Vertices", profile.Vertices[step]);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "NewVertices", newVertices);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "Triangles", numberOfFaces);
-  AddFieldValue<vtkStringArray>(fieldData, "Kind", kind);
+  AddFieldValue<vtkIntArray>(fieldData, StreamArrays::Step, step);
+  AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::Vertices, profile.Vertices[step]);
+  AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::NewVertices, newVertices);
+  AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::Triangles, numberOfFaces);
+  AddFieldValue<vtkStringArray>(fieldData, LevelArrays::Kind, kind);
   for (const char* name :
     { StreamArrays::Strategy, StreamArrays::KeptDistance, StreamArrays::SnapDistance })
   {
@@ -84,8 +85,8 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
       fieldData->AddArray(array);
     }
   }
-  AddFieldValue<vtkDoubleArray>(fieldData, "FeatureSize", profile.FeatureSize[step]);
-  AddFieldValue<vtkDoubleArray>(fieldData, "Error",
+  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::FeatureSize, profile.FeatureSize[step]);
+  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error,
     profile.Error.empty() ? std::numeric_limits<double>::quiet_NaN() : profile.Error[step]);
 }
 
@@ -200,10 +201,10 @@ void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& p
   }
   FillFieldData(
     profile, profile.LastStep(), "input", 0, numberOfFaces, grid, output->GetFieldData());
-  AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), "Vertices", numberOfPoints);
+  AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), LevelArrays::Vertices, numberOfPoints);
   if (!profile.Error.empty())
   {
-    AddFieldValue<vtkDoubleArray>(output->GetFieldData(), "Error", 0.0);
+    AddFieldValue<vtkDoubleArray>(output->GetFieldData(), LevelArrays::Error, 0.0);
   }
   FillTopology({}, 3, { -1, -1 }, output->GetFieldData());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/OwnArrays.h"
 
-#include "Convert/StreamOutput.h"
+#include "Convert/ArrayNames.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -17,17 +17,16 @@ constexpr const char* CellNames[] = { StreamArrays::Priority, StreamArrays::Dept
 
 constexpr const char* PointNames[] = { StreamArrays::OriginalPoints, StreamArrays::SnapDistance };
 
-/** Of levels, streams and the whole of port 0, in this order. */
-constexpr const char* FieldNames[] = { "Step", "Vertices", "NewVertices", "Triangles", "Kind",
-  StreamArrays::Strategy, StreamArrays::KeptDistance, StreamArrays::SnapDistance, "FeatureSize",
-  "Error", "Components", "Tunnels", "Voids", "SurfaceComponents", "SurfaceGenus",
-  StreamArrays::Measure, StreamArrays::BothFoldSides, "InitialApproximation", "Conformity",
-  "EnclosingTolerance", "SnapTolerance", "SolidRule", "DepthExponent", "DepthMeasure",
-  "BreadthRadius", "CarveExposed", "CarveVoids", "MaximumComponents", "MaximumTunnels",
-  "MaximumVoids", StreamArrays::ProfileVertices, StreamArrays::ProfileTriangles,
+/** Field data of levels, streams and the whole of port 0. */
+constexpr const char* FieldNames[] = { StreamArrays::Step, LevelArrays::Vertices,
+  LevelArrays::NewVertices, LevelArrays::Triangles, LevelArrays::Kind, StreamArrays::Strategy,
+  StreamArrays::KeptDistance, StreamArrays::SnapDistance, LevelArrays::FeatureSize,
+  LevelArrays::Error, LevelArrays::Components, LevelArrays::Tunnels, LevelArrays::Voids,
+  LevelArrays::SurfaceComponents, LevelArrays::SurfaceGenus, StreamArrays::Measure,
+  StreamArrays::BothFoldSides, StreamArrays::ProfileVertices, StreamArrays::ProfileTriangles,
   StreamArrays::ProfileError, StreamArrays::ProfileVolume, StreamArrays::ProfileComponents,
   StreamArrays::ProfileTunnels, StreamArrays::ProfileVoids, StreamArrays::ProfilePriority,
-  "Notes" };
+  NotesArray };
 
 /** Renames arrays, each by a copy, and adds "old" as "new" to the list. */
 template <std::size_t N>
@@ -86,10 +85,14 @@ vtkSmartPointer<vtkPolyData> RenameForeignArrays(
   return renamed;
 }
 
-void RemoveOwnFieldData(vtkFieldData* fieldData)
+void RemoveOwnFieldData(vtkFieldData* fieldData, vtkFieldData* settings)
 {
   for (const char* name : FieldNames)
   {
     fieldData->RemoveArray(name);
+  }
+  for (int i = 0; i < settings->GetNumberOfArrays(); ++i)
+  {
+    fieldData->RemoveArray(settings->GetArrayName(i));
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What becomes of arrays of the input whose names the carver's outputs use.
+ * Arrays of the input that have the names of arrays that the carvers write.
  */
 #ifndef OwnArrays_h
 #define OwnArrays_h
@@ -15,13 +15,16 @@ class vtkFieldData;
 class vtkPolyData;
 
 /**
- * Renames cell and point arrays that have a name of the outputs' own, and adds a note about them. Returns
- * the input itself if it has no such arrays, else a copy that shares all other data with it.
+ * Renames cell and point arrays whose names the outputs use, and adds a note about them. Returns the input
+ * itself if it has no such arrays, else a copy that shares all other data with the input.
  */
 vtkSmartPointer<vtkPolyData> RenameForeignArrays(
   vtkPolyData* input, std::vector<std::string>& notes);
 
-/** Removes what a carving writes itself: the settings and measures of an older carving no longer hold. */
-void RemoveOwnFieldData(vtkFieldData* fieldData);
+/**
+ * Removes the field data that a carving writes, including the arrays that have the names of `settings`. After
+ * an older carving, such data no longer holds.
+ */
+void RemoveOwnFieldData(vtkFieldData* fieldData, vtkFieldData* settings);
 
 #endif

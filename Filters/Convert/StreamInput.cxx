@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/StreamInput.h"
 
+#include "Convert/ArrayNames.h"
 #include "Convert/ArrayReader.h"
-#include "Convert/StreamOutput.h"
+#include "Convert/ProfileInput.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace
 {
@@ -28,7 +28,7 @@ std::string Number(vtkIdType number)
   return std::to_string(number);
 }
 
-/** Returns an empty string, or what is wrong. */
+/** Returns an empty string, or a description of the mistake. */
 std::string ReadPoints(vtkUnstructuredGrid* grid, std::vector<carving::Point>& points)
 {
   points.resize(grid->GetNumberOfPoints());
@@ -43,7 +43,7 @@ std::string ReadPoints(vtkUnstructuredGrid* grid, std::vector<carving::Point>& p
   return {};
 }
 
-/** Appends a cell, or a facet, of as many corners as it must have. Returns false if it has others. */
+/** Appends a cell or a facet. Returns false if the number of corners is wrong. */
 template <class Tuple>
 bool Append(vtkIdList* corners, std::vector<Tuple>& to)
 {
@@ -56,7 +56,7 @@ bool Append(vtkIdList* corners, std::vector<Tuple>& to)
   return fits;
 }
 
-/** Whether what cells are read from hangs together. */
+/** Whether the arrays that cells are read from are consistent. */
 bool AreCellsValid(vtkUnstructuredGrid* grid)
 {
   vtkUnsignedCharArray* types = grid->GetCellTypesArray();
@@ -64,7 +64,7 @@ bool AreCellsValid(vtkUnstructuredGrid* grid)
     types->GetNumberOfValues() == grid->GetNumberOfCells() && grid->GetCells()->IsValid();
 }
 
-/** Cells of the complement come first, facets of M after them. Returns an empty string, or what is wrong. */
+/** The cells of the complement, then the facets of M. Returns an empty string, or a description of the mistake. */
 template <int D>
 std::string ReadCells(vtkUnstructuredGrid* grid, carving::Decomposition<D>& mesh)
 {
@@ -96,56 +96,7 @@ std::string ReadCells(vtkUnstructuredGrid* grid, carving::Decomposition<D>& mesh
   return {};
 }
 
-/** The priorities of cells, or of steps: of some there is none. */
-template <class HasPriority>
-Demand Priorities(const HasPriority& hasPriority)
-{
-  return { "a number of at least 0 (NaN where nothing is carved)",
-    [=](double value, vtkIdType i) { return hasPriority(i) ? value >= 0.0 : std::isnan(value); } };
-}
-
-/** Reads the arrays of a profile. Returns by what the priorities have been measured. */
-carving::PriorityMeasure ReadProfile(
-  vtkUnstructuredGrid* grid, ArrayReader& reader, carving::Profile& profile)
-{
-  vtkFieldData* fieldData = grid->GetFieldData();
-  vtkAbstractArray* any = fieldData->GetAbstractArray(StreamArrays::ProfilePriority);
-  const vtkIdType count = std::clamp<vtkIdType>(any ? any->GetNumberOfTuples() : 0, 1, MaxInt);
-  std::vector<double> priorities;
-  std::vector<int> measure;
-  reader.Read(fieldData, StreamArrays::ProfilePriority, count,
-    Priorities([](vtkIdType step) { return step > 0; }), priorities);
-  reader.Read(fieldData, StreamArrays::Measure, 1, IntegersFrom(0, 3), measure);
-  for (const auto& [name, least, values] :
-    { std::make_tuple(StreamArrays::ProfileVertices, 0, &profile.Vertices),
-      std::make_tuple(StreamArrays::ProfileTriangles, 0, &profile.Triangles),
-      std::make_tuple(StreamArrays::ProfileComponents, 1, &profile.Components),
-      std::make_tuple(StreamArrays::ProfileTunnels, 0, &profile.Tunnels),
-      std::make_tuple(StreamArrays::ProfileVoids, 0, &profile.Voids) })
-  {
-    reader.Read(fieldData, name, count, IntegersFrom(least, MaxInt), *values);
-  }
-  double least = std::numeric_limits<double>::max();
-  reader.Read(fieldData, StreamArrays::ProfileVolume, count,
-    { "a finite number of at least 0 that is no greater than the one before",
-      [&least](double value, vtkIdType)
-      {
-        const bool isMet = value >= 0.0 && value <= least;
-        least = value;
-        return isMet;
-      } },
-    profile.Volume);
-  if (fieldData->HasArray(StreamArrays::ProfileError))
-  {
-    reader.Read(fieldData, StreamArrays::ProfileError, count, FiniteMeasures(), profile.Error);
-  }
-  const auto known = static_cast<carving::PriorityMeasure>(measure.empty() ? 0 : measure[0]);
-  GetStreamDimension(grid) == 2 ? carving::SetPriorities<2>(profile, priorities, known)
-                                : carving::SetPriorities<3>(profile, priorities, known);
-  return known;
-}
-
-/** Reads the arrays of cells, facets and points. Facets come after all cells. */
+/** Reads the arrays of cells, facets and points. The facets follow the cells. */
 template <int D>
 void ReadOrder(vtkUnstructuredGrid* grid, int lastStep, ArrayReader& reader,
   carving::StoredStream<D>& stream, std::vector<int>& solidSides)
@@ -169,7 +120,7 @@ void ReadOrder(vtkUnstructuredGrid* grid, int lastStep, ArrayReader& reader,
     IntegersFrom(-1, MaxInt), stream.Mesh.Surface.PointSources);
 }
 
-/** Checks what levels get as it is. */
+/** Checks the arrays that levels get unchanged. */
 void CheckPassedOn(vtkUnstructuredGrid* grid, ArrayReader& reader)
 {
   vtkPointData* pointData = grid->GetPointData();
@@ -192,13 +143,13 @@ void CheckPassedOn(vtkUnstructuredGrid* grid, ArrayReader& reader)
   };
   checkIfThere(fieldData, StreamArrays::KeptDistance, 1);
   checkIfThere(fieldData, StreamArrays::SnapDistance, 1);
-  if (fieldData->HasArray(StreamArrays::SnapDistance)) // else it is data of the input's own
+  if (fieldData->HasArray(StreamArrays::SnapDistance)) // else the input itself has such point data
   {
     checkIfThere(pointData, StreamArrays::SnapDistance, grid->GetNumberOfPoints());
   }
 }
 
-/** The part of a cell array that is about cells (`first` 0) or facets. */
+/** Keeps the part of a cell array that belongs to the cells (`first` 0) or to the facets. */
 template <class Value>
 void TakePart(std::vector<Value>& values, std::size_t first, std::size_t count)
 {
@@ -206,22 +157,11 @@ void TakePart(std::vector<Value>& values, std::size_t first, std::size_t count)
   values.resize(count);
 }
 
-/** Returns an empty string, or what is wrong. */
+/** Reads all arrays. Returns an empty string, or a description of the first mistake. */
 template <int D>
-std::string ReadParts(
+std::string ReadArrays(
   vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
 {
-  // A face of a cell has a number, too.
-  if (grid->GetNumberOfPoints() > MaxInt || grid->GetNumberOfCells() > MaxInt / (D + 1))
-  {
-    return "it has more points or cells than a 32-bit integer can count.";
-  }
-  std::string mistake = ReadPoints(grid, stream.Mesh.Surface.Points);
-  mistake = mistake.empty() ? ReadCells(grid, stream.Mesh) : mistake;
-  if (!mistake.empty())
-  {
-    return mistake;
-  }
   ArrayReader reader;
   std::vector<int> both, solidSides;
   reader.Read(grid->GetFieldData(), StreamArrays::BothFoldSides, 1, IntegersFrom(0, 1), both);
@@ -245,10 +185,14 @@ std::string ReadParts(
   }
   stream.Folds = both[0] != 0 ? carving::FoldSides::Both : carving::FoldSides::One;
   stream.Order.StepPriority = profile.Priority;
-  if (!carving::Connect(stream, solidSides))
-  {
-    return "its cells do not fit together.";
-  }
+  return carving::Connect(stream, solidSides) ? "" : "its cells do not fit together.";
+}
+
+/** Compares the counts of the profile with the cells. Returns an empty string, or the first mistake. */
+template <int D>
+std::string CheckCounts(const carving::StoredStream<D>& stream, const carving::Profile& profile)
+{
+  ArrayReader reader;
   const carving::Profile found = carving::ComputeProfile(stream);
   if (found.Vertices != profile.Vertices)
   {
@@ -261,21 +205,23 @@ std::string ReadParts(
   return reader.GetMistake();
 }
 
+/** Returns an empty string, or a description of the first mistake. */
+template <int D>
+std::string ReadParts(
+  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
+{
+  // The faces of cells are numbered, too.
+  if (grid->GetNumberOfPoints() > MaxInt || grid->GetNumberOfCells() > MaxInt / (D + 1))
+  {
+    return "it has more points or cells than a 32-bit integer can count.";
+  }
+  std::string mistake = ReadPoints(grid, stream.Mesh.Surface.Points);
+  mistake = mistake.empty() ? ReadCells(grid, stream.Mesh) : mistake;
+  mistake = mistake.empty() ? ReadArrays(grid, stream, profile) : mistake;
+  return mistake.empty() ? CheckCounts(stream, profile) : mistake;
+}
+
 } // namespace
-
-int GetStreamDimension(vtkUnstructuredGrid* grid)
-{
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-  const vtkIdType count = types ? types->GetNumberOfValues() : 0;
-  return count > 0 && types->GetValue(count - 1) == VTK_LINE ? 2 : 3; // the facets of M come last
-}
-
-std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile)
-{
-  ArrayReader reader;
-  ReadProfile(grid, reader, profile);
-  return reader.GetMistake();
-}
 
 template <int D>
 std::string ReadStream(

@@ -13,12 +13,6 @@
 
 class vtkUnstructuredGrid;
 
-/** 2 for a stream of triangles, 3 for one of tetrahedra and for any other grid. */
-int GetStreamDimension(vtkUnstructuredGrid* grid);
-
-/** Reads the profile from a stream's field data. Returns an empty string or what is wrong with it. */
-std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile);
-
 /**
  * Fills what levels need; `Mesh.Surface` lacks what only resolving uses. Returns an empty string, or
  * what is wrong with the grid: something else than an unchanged stream.

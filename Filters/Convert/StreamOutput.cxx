@@ -286,14 +286,14 @@ void FillProfile(const carving::Profile& profile, vtkTable* output)
   std::vector<int> steps(profile.Vertices.size());
   std::iota(steps.begin(), steps.end(), 0);
   vtkFieldData* columns = output->GetRowData();
-  AddFieldArray<vtkIntArray>(columns, "Step", steps);
-  AddFieldArray<vtkIntArray>(columns, "Vertices", profile.Vertices);
-  AddFieldArray<vtkIntArray>(columns, "Triangles", profile.Triangles);
-  AddFieldArray<vtkIntArray>(columns, "Components", profile.Components);
-  AddFieldArray<vtkIntArray>(columns, "Tunnels", profile.Tunnels);
-  AddFieldArray<vtkIntArray>(columns, "Voids", profile.Voids);
-  AddFieldArray<vtkDoubleArray>(columns, "Priority", profile.Priority);
-  AddFieldArray<vtkDoubleArray>(columns, "Volume", profile.Volume);
-  AddFieldArray<vtkDoubleArray>(columns, "Error",
+  AddFieldArray<vtkIntArray>(columns, StreamArrays::Step, steps);
+  AddFieldArray<vtkIntArray>(columns, LevelArrays::Vertices, profile.Vertices);
+  AddFieldArray<vtkIntArray>(columns, LevelArrays::Triangles, profile.Triangles);
+  AddFieldArray<vtkIntArray>(columns, LevelArrays::Components, profile.Components);
+  AddFieldArray<vtkIntArray>(columns, LevelArrays::Tunnels, profile.Tunnels);
+  AddFieldArray<vtkIntArray>(columns, LevelArrays::Voids, profile.Voids);
+  AddFieldArray<vtkDoubleArray>(columns, ProfileArrays::Priority, profile.Priority);
+  AddFieldArray<vtkDoubleArray>(columns, ProfileArrays::Volume, profile.Volume);
+  AddFieldArray<vtkDoubleArray>(columns, LevelArrays::Error,
     profile.Error.empty() ? std::vector<double>(profile.Vertices.size(), NaN) : profile.Error);
 }

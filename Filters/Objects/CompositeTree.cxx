@@ -2,13 +2,10 @@
 #include "Objects/CompositeTree.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTypes.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkSmartPointer.h"
 
 namespace
 {
@@ -60,16 +57,5 @@ void SetBlockName(vtkMultiBlockDataSet* parent, unsigned int block, const std::s
   if (!name.empty())
   {
     parent->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name);
-  }
-}
-
-void SetOutputClass(vtkInformationVector* out, int port, const char* className)
-{
-  vtkDataObject* current = vtkDataObject::GetData(out, port);
-  if (!current || !current->IsA(className))
-  {
-    vtkSmartPointer<vtkDataObject> output;
-    output.TakeReference(vtkDataObjectTypes::NewDataObject(className));
-    out->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), output);
   }
 }

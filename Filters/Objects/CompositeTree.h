@@ -10,7 +10,6 @@
 #include <vector>
 
 class vtkDataObject;
-class vtkInformationVector;
 class vtkMultiBlockDataSet;
 
 struct CompositeChild
@@ -27,8 +26,5 @@ bool GetChildren(vtkDataObject* composite, std::vector<CompositeChild>& children
 
 /** Names a block, unless the name is empty. */
 void SetBlockName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name);
-
-/** Makes the data object of an output port one of a class, if it is not. */
-void SetOutputClass(vtkInformationVector* out, int port, const char* className);
 
 #endif

@@ -101,6 +101,11 @@ bool ObjectExchange::IsParallel() const
   return this->Controller && this->Controller->GetNumberOfProcesses() > 1;
 }
 
+bool ObjectExchange::IsTrueOnAll(bool here) const
+{
+  return this->IsParallel() ? this->Largest(!here) == 0 : here;
+}
+
 int ObjectExchange::Largest(int value) const
 {
   int largest = value;

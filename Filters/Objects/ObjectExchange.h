@@ -27,6 +27,9 @@ public:
   }
   bool IsParallel() const;
 
+  /** Whether a condition holds on every process. */
+  bool IsTrueOnAll(bool here) const;
+
   /**
    * The input as the process is to carve it: for a polydata, that or an empty one, for a composite of
    * them a tree with null leaves. An object that only one process has stays there; one that is spread

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/CarverNotes.h"
 
-#include "Convert/ArrayTools.h"
-#include "Convert/StreamOutput.h"
-#include "vtkDoubleArray.h"
+#include "Convert/ArrayNames.h"
 #include "vtkFieldData.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkStringArray.h"
 
@@ -15,23 +12,32 @@
 namespace
 {
 
-/** How the mesh has been tetrahedralized, if not at the first attempt. */
-void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
+/** Adds a note for each line of a text. */
+void AddLines(const std::string& before, const std::string& lines, const std::string& after,
+  std::vector<std::string>& notes)
 {
-  std::istringstream attempts(reply.Attempts);
-  for (std::string line; std::getline(attempts, line);)
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);)
   {
-    texts.push_back("An attempt failed. " + line);
+    notes.push_back(before + line + after);
   }
-  std::istringstream limits(reply.Limits);
-  for (std::string line; std::getline(limits, line);)
+}
+
+} // namespace
+
+void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>& notes)
+{
+  if (reply.IntersectingPairs > 0)
   {
-    texts.push_back("The result depends on a limit: " + line +
-      ". With a higher one the mesh might have come out otherwise.");
+    notes.push_back(std::to_string(reply.IntersectingPairs) +
+      " pairs of triangles or edges cross each other and were split where they meet.");
   }
+  AddLines("An attempt failed. ", reply.Attempts, "", notes);
+  AddLines("The result depends on a limit: ", reply.Limits,
+    ". With a higher one the mesh might have come out otherwise.", notes);
   if (reply.InteriorDropped > 0)
   {
-    texts.push_back("Inside the solid " + std::to_string(reply.InteriorDropped) +
+    notes.push_back("Inside the solid " + std::to_string(reply.InteriorDropped) +
       " triangles were left out, which no level would show.");
   }
   if (reply.SnapDistance > 0.0)
@@ -39,7 +45,7 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
     std::ostringstream text;
     text << "The mesh was snapped: no point was moved farther than " << reply.SnapDistance
          << ". Levels enclose what came of it.";
-    texts.push_back(text.str());
+    notes.push_back(text.str());
   }
   const carving::Tetrahedralization& result = reply.Result;
   if (!result.Kept.empty())
@@ -50,69 +56,21 @@ void AddAttempts(const carving::Reply& reply, std::vector<std::string>& texts)
          << " tetrahedra that it pierces stay and reach " << reply.KeptDistance
          << " from it. For that " << reply.PointsAdded << " vertices were added to its "
          << result.Unresolved.Points.size() << ".";
-    texts.push_back(text.str());
+    notes.push_back(text.str());
   }
 }
 
-} // namespace
-
-void AddNotes(std::vector<std::string> texts, const carving::Reply& reply, int guessedRegions,
-  bool nothingToCarve, vtkFieldData* fieldData)
+void WriteNotes(const std::vector<std::string>& notes, vtkFieldData* fieldData)
 {
-  if (reply.IntersectingPairs > 0)
-  {
-    texts.push_back(std::to_string(reply.IntersectingPairs) +
-      " pairs of triangles or edges cross each other and were split where they meet.");
-  }
-  AddAttempts(reply, texts);
-  if (guessedRegions > 0)
-  {
-    texts.push_back("The input is open or inconsistently oriented: whether " +
-      std::to_string(guessedRegions) + " of its enclosed regions are solid is a guess.");
-  }
-  if (nothingToCarve)
-  {
-    texts.push_back("The input is its own initial approximation: there is nothing to carve.");
-  }
-  if (texts.empty())
+  if (notes.empty())
   {
     return;
   }
-  vtkNew<vtkStringArray> notes;
-  notes->SetName("Notes");
-  for (const std::string& text : texts)
+  vtkNew<vtkStringArray> array;
+  array->SetName(NotesArray);
+  for (const std::string& note : notes)
   {
-    notes->InsertNextValue(text);
+    array->InsertNextValue(note);
   }
-  fieldData->AddArray(notes);
-}
-
-void AddSettings(
-  const CarverSettings& settings, const carving::Reply& reply, vtkFieldData* fieldData)
-{
-  const carving::CarveOptions& carve = settings.Carve;
-  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, reply.Strategy.c_str());
-  if (!reply.Result.Kept.empty())
-  {
-    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
-  }
-  if (reply.SnapDistance > 0.0)
-  {
-    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, reply.SnapDistance);
-  }
-  AddFieldValue<vtkIntArray>(fieldData, "InitialApproximation", static_cast<int>(settings.Initial));
-  AddFieldValue<vtkIntArray>(fieldData, "Conformity", static_cast<int>(settings.Conformity));
-  AddFieldValue<vtkDoubleArray>(fieldData, "EnclosingTolerance", settings.EnclosingTolerance);
-  AddFieldValue<vtkDoubleArray>(fieldData, "SnapTolerance", settings.SnapTolerance);
-  AddFieldValue<vtkIntArray>(fieldData, "SolidRule", static_cast<int>(settings.Solid));
-  AddFieldValue<vtkDoubleArray>(fieldData, "DepthExponent", carve.DepthExponent);
-  AddFieldValue<vtkIntArray>(fieldData, "DepthMeasure", settings.DepthIsDistance);
-  AddFieldValue<vtkDoubleArray>(fieldData, "BreadthRadius", carve.BreadthRadius);
-  AddFieldValue<vtkIntArray>(fieldData, "CarveExposed", carve.CarveExposed);
-  AddFieldValue<vtkIntArray>(fieldData, "CarveVoids", carve.CarveVoids);
-  constexpr const char* budgets[] = { "MaximumComponents", "MaximumTunnels", "MaximumVoids" };
-  for (std::size_t i = 0; i < carve.Budget.size(); ++i)
-  {
-    AddFieldValue<vtkIntArray>(fieldData, budgets[i], carve.Budget[i]);
-  }
+  fieldData->AddArray(array);
 }

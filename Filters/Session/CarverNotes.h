@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the outputs say of how they were made.
+ * Notes for the user: sentences in the field data of port 0.
  */
 #ifndef CarverNotes_h
 #define CarverNotes_h
 
-#include "Session/CarverSettings.h"
+#include "Core/Protocol/Protocol.h"
 
 #include <string>
 #include <vector>
 
 class vtkFieldData;
 
-/** Adds to the texts what the user should know besides and writes them as the string array `Notes`. */
-void AddNotes(std::vector<std::string> texts, const carving::Reply& reply, int guessedRegions,
-  bool nothingToCarve, vtkFieldData* fieldData);
+/** Adds notes on how the helper program has decomposed the mesh, unless the first attempt succeeded. */
+void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>& notes);
 
-/**
- * The settings that a stream has been made with, by the names of the filter's properties, and how its mesh
- * was tetrahedralized.
- */
-void AddSettings(
-  const CarverSettings& settings, const carving::Reply& reply, vtkFieldData* fieldData);
+/** Writes the notes, if there are any, as the string array `Notes`. */
+void WriteNotes(const std::vector<std::string>& notes, vtkFieldData* fieldData);
 
 #endif

@@ -10,6 +10,8 @@
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Stream/StoredStream.h"
 #include "Session/HelperReuse.h"
+#include "vtkFieldData.h"
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -25,6 +27,8 @@ struct CarverSettings : HelperSettings
   carving::LevelTarget TargetType = carving::LevelTarget::Vertices;
   carving::FoldSides Folds = carving::FoldSides::One;
   bool ManifoldOutput = true;
+  /** The properties that a stream stores, by their names. */
+  vtkSmartPointer<vtkFieldData> Stored;
 };
 
 #endif

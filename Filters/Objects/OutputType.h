@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Output ports whose type of data follows the input's.
+ */
+#ifndef OutputType_h
+#define OutputType_h
+
+#include "vtkDataObjectAlgorithm.h"
+
+/** Gives access to a static function that VTK reserves for subclasses. */
+class OutputType : public vtkDataObjectAlgorithm
+{
+public:
+  using vtkDataObjectAlgorithm::SetOutputDataObject;
+};
+
+#endif

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/CarvedLeaf.h"
+
+#include "Convert/InitialDistance.h"
+#include "Core/Measure/StreamError.h"
+#include "Core/Measure/StreamTopology.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/** Fills all of the result except the errors. Returns false if the filter is to stop. */
+template <int D>
+bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
+  CarvedLeaf<D>& carved)
+{
+  const carving::Decomposition<D>& mesh = Kind<D>::GetResult(leaf.Reply);
+  carving::Classification regions;
+  {
+    const CarverStages::Timer timer(stages, ClassifyStage);
+    regions = carving::Classify(mesh, settings.Solid);
+  }
+  carved.GuessedRegions = static_cast<int>(std::count_if(regions.Regions.begin(),
+    regions.Regions.end(), [](const carving::Region& region) { return region.Guessed; }));
+  if (!stages.Report(ClassifyStage, 1.0))
+  {
+    return false;
+  }
+  const CarverStages::Timer timer(stages, CarveStage);
+  carving::CarveOptions options = settings.Carve;
+  if (settings.DepthIsDistance)
+  {
+    options.Depths = ComputeInitialDistances(mesh);
+  }
+  carving::Stream stream;
+  if (!carving::Carve(mesh, regions, options, stream,
+        [&stages](double fraction) { return stages.Report(CarveStage, fraction); }))
+  {
+    return false;
+  }
+  if (carving::HasLimits(options.Budget))
+  {
+    carved.LeftByBudget = carving::CountLeft(regions, options, stream);
+  }
+  carved.Stream = carving::Store(mesh, regions, stream);
+  Kind<D>::Restore(leaf.Input, carved.Stream.Mesh.Surface.Points);
+  carved.Stream.Measure = options.Measure;
+  carved.Stream.Folds = settings.Folds;
+  carved.Profile = carving::ComputeProfile(carved.Stream);
+  carving::SetTopology(carved.Profile, mesh, regions, stream);
+  return true;
+}
+
+/** Fills the errors of the profile if the settings ask for them. Returns false if the filter is to stop. */
+template <int D>
+bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
+  CarvedLeaf<D>& carved)
+{
+  const bool byTarget =
+    !settings.LevelTargets.empty() && settings.TargetType == carving::LevelTarget::ErrorBound;
+  if (!settings.ComputeError && !byTarget)
+  {
+    return true;
+  }
+  const CarverStages::Timer timer(stages, MeasureStage);
+  const carving::ResolvedInput<D>& unresolved = Kind<D>::GetResult(leaf.Reply).Unresolved;
+  const bool conforming = unresolved.Facets.empty();
+  return carving::ComputeErrors(carved.Stream, conforming ? carved.Stream.Mesh.Surface : unresolved,
+    conforming, carved.Profile.Error,
+    [&stages](double fraction) { return stages.Report(MeasureStage, fraction); });
+}
+
+} // namespace
+
+template <int D>
+bool CarveLeaf(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
+  CarvedLeaf<D>& carved)
+{
+  return Carve(leaf, settings, stages, carved) && Measure(leaf, settings, stages, carved);
+}
+
+template bool CarveLeaf<2>(
+  const DecomposedLeaf<2>&, const CarverSettings&, CarverStages&, CarvedLeaf<2>&);
+template bool CarveLeaf<3>(
+  const DecomposedLeaf<3>&, const CarverSettings&, CarverStages&, CarvedLeaf<3>&);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/CarverStages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "measure", "output" };
+
+/** The fraction of an update at which each stage begins; typical for a mesh of medium size. */
+constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.9,
+  0.93, 1.0 };
+
+} // namespace
+
+const char* GetCarverStageName(int stage)
+{
+  return stage < carving::NumberOfStages ? carving::StageName(static_cast<carving::Stage>(stage))
+                                         : OwnStageNames[stage - carving::NumberOfStages];
+}
+
+bool IsAborted(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+void CarverStages::Start(int numberOfLeaves)
+{
+  this->Seconds.fill(0.0);
+  this->NumberOfLeaves = std::max(1, numberOfLeaves);
+  this->LeavesDone = 0;
+}
+
+bool CarverStages::Report(int stage, double fraction)
+{
+  const double begin = StageBegins[stage];
+  const double ofLeaf = begin + fraction * (StageBegins[stage + 1] - begin);
+  const double ofAll = (this->LeavesDone + ofLeaf) / this->NumberOfLeaves;
+  this->Filter->SetProgressText(GetCarverStageName(stage));
+  // Each round of resolving starts at 0 again, but progress never falls.
+  this->Filter->UpdateProgress(std::max(ofAll, this->Filter->GetProgress()));
+  return !IsAborted(this->Filter);
+}
+
+void CarverStages::MoveToHelper(const std::vector<double>& secondsOfStages)
+{
+  for (std::size_t stage = 0; stage < secondsOfStages.size(); ++stage)
+  {
+    this->Seconds[stage] += secondsOfStages[stage];
+    this->Seconds[TransferStage] -= secondsOfStages[stage];
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The stages of an update: names, seconds and progress.
+ */
+#ifndef CarverStages_h
+#define CarverStages_h
+
+#include "Core/Protocol/Protocol.h"
+
+#include <array>
+#include <chrono>
+
+class vtkAlgorithm;
+
+/** The stages that follow those of the helper program, carving::Stage. */
+enum CarverStage
+{
+  TransferStage = carving::NumberOfStages,
+  ClassifyStage,
+  CarveStage,
+  MeasureStage,
+  OutputStage,
+  NumberOfCarverStages
+};
+const char* GetCarverStageName(int stage);
+
+/** Whether the filter, or one before it in the pipeline, has been asked to stop. */
+bool IsAborted(vtkAlgorithm* filter);
+
+/** Reports the progress of an update to the filter, and sums up the seconds of each stage. */
+class CarverStages
+{
+public:
+  explicit CarverStages(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+  }
+
+  /** Begins an update of `numberOfLeaves` leaves, each with the same share of the progress. */
+  void Start(int numberOfLeaves);
+  void FinishLeaf()
+  {
+    ++this->LeavesDone;
+  }
+
+  /** Reports that a fraction of a stage of the current leaf is done. Returns false if the filter is to stop. */
+  bool Report(int stage, double fraction);
+
+  /** Wall-clock seconds since Start, summed over the leaves. */
+  double GetSeconds(int stage) const
+  {
+    return this->Seconds[stage];
+  }
+
+  /** Credits seconds that a running timer of TransferStage counts to stages of the helper program. */
+  void MoveToHelper(const std::vector<double>& secondsOfStages);
+
+  /** Adds to the seconds of a stage during its own lifetime. */
+  class Timer
+  {
+  public:
+    Timer(CarverStages& stages, int stage)
+      : Seconds(stages.Seconds[stage])
+    {
+    }
+    ~Timer()
+    {
+      this->Seconds += std::chrono::duration<double>(Clock::now() - this->Start).count();
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& Seconds;
+    Clock::time_point Start = Clock::now();
+  };
+
+private:
+  vtkAlgorithm* Filter;
+  std::array<double, NumberOfCarverStages> Seconds = {};
+  int NumberOfLeaves = 1;
+  int LeavesDone = 0;
+};
+
+#endif

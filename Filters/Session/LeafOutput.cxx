@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/LeafOutput.h"
+
+#include "Convert/ArrayNames.h"
+#include "Convert/ArrayTools.h"
+#include "Convert/LevelOutput.h"
+#include "Convert/OwnArrays.h"
+#include "Convert/StreamOutput.h"
+#include "Objects/CompositeTree.h"
+#include "Session/CarverNotes.h"
+#include "vtkAlgorithm.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/** What the user should know of a carved leaf. */
+template <int D>
+void Describe(
+  const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved, std::vector<std::string>& notes)
+{
+  if (carved.LeftByBudget > 0)
+  {
+    notes.push_back("The budget of components, tunnels and voids leaves " +
+      std::to_string(carved.LeftByBudget) + (D == 3 ? " tetrahedra" : " triangles") +
+      " that would exceed it: the last level is not the input.");
+  }
+  DescribeDecomposition(leaf.Reply, notes);
+  if (carved.GuessedRegions > 0)
+  {
+    notes.push_back("The input is open or inconsistently oriented: whether " +
+      std::to_string(carved.GuessedRegions) + " of its enclosed regions are solid is a guess.");
+  }
+  if (carved.Profile.LastStep() == 0 && carved.LeftByBudget == 0)
+  {
+    notes.push_back("The input is its own initial approximation: there is nothing to carve.");
+  }
+}
+
+} // namespace
+
+template <int D>
+void LeafOutput<D>::WriteEmpty(vtkPolyData* input, const DecomposedLeaf<D>& leaf)
+{
+  this->PassFieldData(input);
+  WriteNotes(leaf.Input.Notes, this->Ports.Levels->GetFieldData());
+}
+
+template <int D>
+bool LeafOutput<D>::Write(
+  vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
+{
+  const CarverStages::Timer timer(this->Stages, OutputStage);
+  this->PassFieldData(input);
+  std::vector<std::string> notes = leaf.Input.Notes;
+  const vtkSmartPointer<vtkPolyData> attributes = RenameForeignArrays(input, notes);
+  Describe(leaf, carved, notes);
+  WriteNotes(notes, this->Ports.Levels->GetFieldData());
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
+  this->WriteStream(attributes, leaf, carved, grid);
+  FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
+  if (!this->WriteLevels(carved, grid))
+  {
+    return false;
+  }
+  if (this->Settings.AppendInput)
+  {
+    this->AppendInput(attributes, leaf, carved.Profile, grid);
+  }
+  return this->Stages.Report(OutputStage, 1.0);
+}
+
+template <int D>
+void LeafOutput<D>::PassFieldData(vtkPolyData* input)
+{
+  for (vtkDataObject* output : this->Ports.GetAll())
+  {
+    output->GetFieldData()->ShallowCopy(input->GetFieldData());
+    RemoveOwnFieldData(output->GetFieldData(), this->Settings.Stored);
+  }
+}
+
+template <int D>
+void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+  const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+{
+  FillStream(carved.Stream, carved.Profile, attributes, leaf.Input.CellIds, grid);
+  const carving::Reply& reply = leaf.Reply;
+  vtkFieldData* fieldData = grid->GetFieldData();
+  AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, reply.Strategy.c_str());
+  if (!reply.Result.Kept.empty())
+  {
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
+  }
+  if (reply.SnapDistance > 0.0)
+  {
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, reply.SnapDistance);
+  }
+  for (int i = 0; i < this->Settings.Stored->GetNumberOfArrays(); ++i)
+  {
+    fieldData->AddArray(this->Settings.Stored->GetAbstractArray(i));
+  }
+}
+
+template <int D>
+std::vector<int> LeafOutput<D>::SelectSteps(const carving::Profile& profile)
+{
+  if (this->Settings.LevelTargets.empty())
+  {
+    return carving::SpreadLevels(profile, this->Settings.NumberOfLevels);
+  }
+  std::vector<int> steps;
+  for (const double target : this->Settings.LevelTargets)
+  {
+    const carving::SelectedStep selected =
+      carving::SelectStep(profile, this->Settings.TargetType, target);
+    if (!selected.Problem.empty())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << selected.Problem);
+    }
+    steps.push_back(selected.Step);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+template <int D>
+bool LeafOutput<D>::WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+{
+  // One walk over the stream finds the faces of this many levels. The number bounds the time between reports.
+  constexpr std::size_t levelsAtOnce = 16;
+  const std::vector<int> steps = this->SelectSteps(carved.Profile);
+  for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)
+  {
+    const std::size_t end = std::min(first + levelsAtOnce, steps.size());
+    const std::vector<carving::Level<D>> found =
+      carving::ExtractLevels(carved.Stream, { steps.begin() + first, steps.begin() + end });
+    for (std::size_t i = first; i < end; ++i)
+    {
+      vtkNew<vtkPolyData> level;
+      FillLevel(carved.Stream, carved.Profile, grid, found[i - first],
+        this->Settings.ManifoldOutput, level);
+      this->SetLevel(static_cast<unsigned int>(i), level);
+      if (!this->Stages.Report(OutputStage, (i + 1.0) / (steps.size() + 1.0)))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <int D>
+void LeafOutput<D>::AppendInput(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+  const carving::Profile& profile, vtkUnstructuredGrid* grid)
+{
+  if (!leaf.Reply.Result.Kept.empty()) // else the last level is the input; in a plane it always is
+  {
+    vtkNew<vtkPolyData> level;
+    FillInputLevel(
+      leaf.Reply.Result.Unresolved, profile, attributes, leaf.Input.CellIds, grid, level);
+    this->SetLevel(this->Ports.Levels->GetNumberOfBlocks(), level);
+  }
+}
+
+template <int D>
+void LeafOutput<D>::SetLevel(unsigned int index, vtkPolyData* level)
+{
+  this->Ports.Levels->SetBlock(index, level);
+  SetBlockName(this->Ports.Levels, index, "LOD " + std::to_string(index));
+}
+
+template class LeafOutput<2>;
+template class LeafOutput<3>;

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * From a carved leaf to the data objects of the three ports.
+ */
+#ifndef LeafOutput_h
+#define LeafOutput_h
+
+#include "Session/CarvedLeaf.h"
+#include "Session/CarverPorts.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkUnstructuredGrid;
+
+/** Writes the outputs for a leaf, and reports targets that no level meets as warnings of the filter. */
+template <int D>
+class LeafOutput
+{
+public:
+  LeafOutput(vtkAlgorithm* filter, const CarverSettings& settings, CarverStages& stages,
+    const CarverPorts& ports)
+    : Filter(filter)
+    , Settings(settings)
+    , Stages(stages)
+    , Ports(ports)
+  {
+  }
+
+  /** Passes on the input's own field data. An empty leaf has no other output, except notes. */
+  void WriteEmpty(vtkPolyData* input, const DecomposedLeaf<D>& leaf);
+
+  /** Writes all outputs. Returns false if the filter is to stop. */
+  bool Write(vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved);
+
+private:
+  void PassFieldData(vtkPolyData* input);
+  void WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+    const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+  std::vector<int> SelectSteps(const carving::Profile& profile);
+  /** Fills a block for each step. Returns false if the filter is to stop. */
+  bool WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+  void AppendInput(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+    const carving::Profile& profile, vtkUnstructuredGrid* grid);
+  void SetLevel(unsigned int index, vtkPolyData* level);
+
+  vtkAlgorithm* Filter;
+  const CarverSettings& Settings;
+  CarverStages& Stages;
+  const CarverPorts& Ports;
+};
+
+#endif

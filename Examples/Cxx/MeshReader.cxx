@@ -3,7 +3,6 @@
 
 #include "ErrorLog.h"
 #include "OffReader.h"
-#include "Process/MemoryFile.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -22,6 +21,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sys/mman.h>
+#include <unistd.h>
 #include <vector>
 #include <zlib.h>
 
@@ -118,11 +119,11 @@ void MakeNamesReadable(vtkFieldData* arrays)
   }
 }
 
-/** Unpacks a gzipped file; plain files pass unchanged. */
-std::string Unpack(const std::string& fileName, const MemoryFile& unpacked)
+/** Unpacks a gzipped file; a plain file stays as it is. */
+std::string Unpack(const std::string& fileName, const std::string& unpacked)
 {
   gzFile in = gzopen(fileName.c_str(), "rb");
-  std::ofstream out(unpacked.GetPath(), std::ios::binary);
+  std::ofstream out(unpacked, std::ios::binary);
   std::vector<char> chunk(1 << 20);
   int length = 0;
   while (in && (length = gzread(in, chunk.data(), static_cast<unsigned int>(chunk.size()))) > 0)
@@ -132,6 +133,18 @@ std::string Unpack(const std::string& fileName, const MemoryFile& unpacked)
   const bool good = in && gzclose(in) == Z_OK && length == 0;
   out.close();
   return !good ? "it is not a whole gzip file" : !out ? "there is not enough memory for it" : "";
+}
+
+/** Reads a gzipped file by way of a file in memory, since VTK's readers want the name of a plain file. */
+std::string ReadPacked(
+  const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
+{
+  const int file = memfd_create("carve-input", MFD_CLOEXEC);
+  const std::string unpacked = "/proc/self/fd/" + std::to_string(file);
+  std::string error = Unpack(fileName, unpacked);
+  error = error.empty() ? ReadFormat(unpacked, extension, log, mesh) : error;
+  close(file);
+  return error;
 }
 
 } // namespace
@@ -148,23 +161,12 @@ std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, 
   {
     return "it is not a readable file";
   }
-  std::string error;
-  std::string plainName = SystemTools::LowerCase(fileName);
-  if (SystemTools::GetFilenameLastExtension(plainName) == ".gz")
-  {
-    plainName.erase(plainName.size() - 3);
-    const MemoryFile unpacked("carve-input");
-    error = Unpack(fileName, unpacked);
-    if (error.empty())
-    {
-      error =
-        ReadFormat(unpacked.GetPath(), SystemTools::GetFilenameLastExtension(plainName), log, mesh);
-    }
-  }
-  else
-  {
-    error = ReadFormat(fileName, SystemTools::GetFilenameLastExtension(plainName), log, mesh);
-  }
+  const std::string lowerName = SystemTools::LowerCase(fileName);
+  const std::string extension = SystemTools::GetFilenameLastExtension(lowerName);
+  const std::string error = extension == ".gz"
+    ? ReadPacked(fileName,
+        SystemTools::GetFilenameLastExtension(lowerName.substr(0, lowerName.size() - 3)), log, mesh)
+    : ReadFormat(fileName, extension, log, mesh);
   MakeNamesReadable(mesh->GetPointData());
   MakeNamesReadable(mesh->GetCellData());
   MakeNamesReadable(mesh->GetFieldData());

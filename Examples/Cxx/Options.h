@@ -2,10 +2,11 @@
 #ifndef Options_h
 #define Options_h
 
+#include <map>
 #include <string>
 #include <vector>
 
-/** What the command line of `carve` asks for. */
+/** The contents of the command line of `carve`. */
 struct Options
 {
   enum class Action
@@ -18,45 +19,24 @@ struct Options
   Action Wanted = Action::Carve;
   std::string Input;
   std::string Output;      ///< empty: none
-  std::string Stream;      ///< where to write the stored stream; empty: nowhere
-  std::string Profile;     ///< where to write the profile, .csv or .png; empty: nowhere
+  std::string Stream;      ///< the file for the stored stream; empty: none
+  std::string Profile;     ///< the file for the profile, .csv or .png; empty: none
   std::string InitialMesh; ///< for CUSTOM
-  /** The first option that only carving can follow; empty if there is none. */
+  /** The last option that applies to carving only, not to a stored stream; empty if there is none. */
   std::string CarvingOption;
   bool Contours = false; ///< the input is contours in a plane
-  bool ComputeError = false;
   int NumberOfLevels = 8;
   std::vector<double> Targets;
-  int TargetType = 0; ///< vtkTopologyCarver::LevelTargets
-  // As the filter's properties of the same names.
-  int InitialApproximation = 0;
-  int PriorityMeasure = 0;
-  double DepthExponent = 0.0;
-  int DepthMeasure = 0;
-  double BreadthRadius = 0.0;
-  bool CarveExposed = true;
-  bool CarveVoids = true;
-  int MaximumComponents = -1;
-  int MaximumTunnels = -1;
-  int MaximumVoids = -1;
-  int KeepBothFoldSides = 2;
-  bool ManifoldOutput = true;
-  int SolidRule = 0;
-  int Conformity = 2;
-  double EnclosingTolerance = 0.02;
-  double SnapTolerance = 0.0;
-  bool AppendInput = false;
-  double TimeLimit = 0.0;
-  double MemoryLimit = 0.0;
+  int TargetType = 0;         ///< vtkTopologyCarver::LevelTargets
+  bool ManifoldOutput = true; ///< also in Properties
+  /** The given values of properties of vtkCarverAlgorithm, by name. */
+  std::map<std::string, double> Properties;
 };
 
-/** Returns an empty string or what is wrong with the command line, in one line. */
+/** Returns an empty string, or a line that describes the mistake in the command line. */
 std::string Parse(int argc, char* argv[], Options& options);
 
 /** Whether a file is, by its name, a stored stream. */
 bool IsStream(const std::string& fileName);
-
-/** The manual page. */
-extern const char* const HelpText;
 
 #endif

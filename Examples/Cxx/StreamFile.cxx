@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StreamFile.h"
 
-#include "Convert/StreamInput.h"
-#include "Convert/StreamOutput.h"
-#include "Core/Measure/LevelSelection.h"
 #include "ErrorLog.h"
 #include "Options.h"
 
@@ -26,22 +23,21 @@
 namespace
 {
 
-/** Steps spread like the carver's levels, from the profile that the stream carries. */
-std::vector<double> SpreadSteps(vtkUnstructuredGrid* stream, int count)
-{
-  carving::Profile profile;
-  if (!ReadProfile(stream, profile).empty())
-  {
-    return { 0.0 }; // the filter says what is wrong
-  }
-  const std::vector<int> steps = carving::SpreadLevels(profile, count);
-  return { steps.begin(), steps.end() };
-}
-
 double GetStep(vtkPolyData* level)
 {
   vtkDataArray* step = level->GetFieldData()->GetArray("Step");
   return step ? step->GetTuple1(0) : -1.0;
+}
+
+/** Adds a copy of a level, unless it is empty: then the filter has reported an error. */
+void AddLevel(vtkPolyData* level, std::vector<vtkSmartPointer<vtkPolyData>>& levels)
+{
+  if (level->GetNumberOfCells() > 0)
+  {
+    levels.push_back(vtkSmartPointer<vtkPolyData>::New());
+    levels.back()->ShallowCopy(level);
+    levels.back()->GetInformation()->Remove(vtkDataObject::DATA_TIME_STEP()); // would be written
+  }
 }
 
 } // namespace
@@ -69,43 +65,46 @@ std::string StreamFile::Read(
   return {};
 }
 
-void StreamFile::GetProfile(vtkUnstructuredGrid* stream, vtkTable* profile)
+void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
+  vtkMultiBlockDataSet* levels, vtkTable* profile)
 {
-  carving::Profile found;
-  if (ReadProfile(stream, found).empty())
-  {
-    FillProfile(found, profile);
-  }
-}
-
-void StreamFile::Extract(
-  const Options& options, vtkUnstructuredGrid* stream, vtkMultiBlockDataSet* levels)
-{
-  const bool byNumber = options.Targets.empty();
-  const std::vector<double> targets =
-    byNumber ? SpreadSteps(stream, options.NumberOfLevels) : options.Targets;
   vtkNew<vtkExtractCarvedLOD> extract;
   extract->SetInputData(stream);
   extract->SetManifoldOutput(options.ManifoldOutput);
-  extract->SetLevelTargetType(byNumber ? vtkExtractCarvedLOD::STEP : options.TargetType);
   std::vector<vtkSmartPointer<vtkPolyData>> found;
-  for (const double target : targets)
+  if (options.Targets.empty())
   {
-    extract->SetLevelTarget(target);
-    extract->Update();
-    auto level = vtkSmartPointer<vtkPolyData>::New();
-    level->ShallowCopy(extract->GetOutput());
-    if (level->GetNumberOfCells() > 0)
+    // Times stand for levels that are spread like the carver's. A single level is the last one.
+    const int count = std::max(options.NumberOfLevels, 2);
+    extract->SetNumberOfTimeSteps(count);
+    for (int time = options.NumberOfLevels > 1 ? 0 : 1; time < count; ++time)
     {
-      found.push_back(level);
+      extract->UpdateTimeStep(time);
+      AddLevel(extract->GetOutput(), found);
     }
+    // Several times stand for the same step where a stream has few steps.
+    found.erase(std::unique(found.begin(), found.end(),
+                  [](const auto& a, const auto& b) { return GetStep(a) == GetStep(b); }),
+      found.end());
   }
-  std::stable_sort(found.begin(), found.end(),
-    [](const auto& a, const auto& b) { return GetStep(a) < GetStep(b); });
+  else
+  {
+    extract->SetLevelTargetType(options.TargetType);
+    extract->FollowTimeOff();
+    for (const double target : options.Targets)
+    {
+      extract->SetLevelTarget(target);
+      extract->Update();
+      AddLevel(extract->GetOutput(), found);
+    }
+    std::stable_sort(found.begin(), found.end(),
+      [](const auto& a, const auto& b) { return GetStep(a) < GetStep(b); });
+  }
   levels->SetNumberOfBlocks(static_cast<unsigned int>(found.size()));
   for (unsigned int i = 0; i < found.size(); ++i)
   {
     levels->SetBlock(i, found[i]);
     levels->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), ("LOD " + std::to_string(i)).c_str());
   }
+  extract->GetProfile(profile);
 }

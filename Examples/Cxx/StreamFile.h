@@ -17,11 +17,12 @@ namespace StreamFile
 /** Returns an empty string or why the file could not be read. */
 std::string Read(const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream);
 
-/** The profile that a stream carries; empty if it has none. */
-void GetProfile(vtkUnstructuredGrid* stream, vtkTable* profile);
-
-/** The levels that the options ask for, coarse to fine; errors and warnings come from the filter. */
-void Extract(const Options& options, vtkUnstructuredGrid* stream, vtkMultiBlockDataSet* levels);
+/**
+ * Extracts the levels that the options ask for, from coarse to fine, and the profile. The filter reports errors
+ * and warnings.
+ */
+void Extract(const Options& options, vtkUnstructuredGrid* stream, vtkMultiBlockDataSet* levels,
+  vtkTable* profile);
 
 } // namespace StreamFile
 

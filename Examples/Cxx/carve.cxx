@@ -4,6 +4,7 @@
  * carve: the command-line program around vtkTopologyCarver and vtkContourCarver.
  */
 #include "ErrorLog.h"
+#include "Help.h"
 #include "LevelWriter.h"
 #include "MeshReader.h"
 #include "Options.h"
@@ -12,6 +13,7 @@
 #include "XmlFile.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCarverProperty.h"
 #include "vtkContourCarver.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
@@ -162,27 +164,14 @@ std::string Describe(const char* what, double seconds)
 
 void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
 {
-  carver->SetInitialApproximation(options.InitialApproximation);
-  carver->SetPriorityMeasure(options.PriorityMeasure);
-  carver->SetDepthExponent(options.DepthExponent);
-  carver->SetDepthMeasure(options.DepthMeasure);
-  carver->SetBreadthRadius(options.BreadthRadius);
-  carver->SetCarveExposed(options.CarveExposed);
-  carver->SetCarveVoids(options.CarveVoids);
-  carver->SetMaximumComponents(options.MaximumComponents);
-  carver->SetMaximumTunnels(options.MaximumTunnels);
-  carver->SetMaximumVoids(options.MaximumVoids);
-  carver->SetSolidRule(options.SolidRule);
-  carver->SetConformity(options.Conformity);
-  carver->SetEnclosingTolerance(options.EnclosingTolerance);
-  carver->SetSnapTolerance(options.SnapTolerance);
-  carver->SetAppendInput(options.AppendInput);
-  carver->SetTimeLimit(options.TimeLimit);
-  carver->SetMemoryLimit(options.MemoryLimit);
-  carver->SetKeepBothFoldSides(options.KeepBothFoldSides);
-  carver->SetManifoldOutput(options.ManifoldOutput);
-  carver->SetComputeError(options.ComputeError);
-  carver->SetNumberOfLevels(options.NumberOfLevels);
+  for (const vtkCarverProperty& property : vtkCarverProperty::GetAll())
+  {
+    const auto given = options.Properties.find(property.Name);
+    if (given != options.Properties.end())
+    {
+      property.Set(carver, given->second);
+    }
+  }
   carver->SetLevelTargetType(options.TargetType);
   for (const double target : options.Targets)
   {
@@ -255,9 +244,8 @@ int AnswerFromStream(const Options& options, ErrorLog* log)
     static_cast<long long>(stream->GetNumberOfPoints()),
     static_cast<long long>(stream->GetNumberOfCells()));
   vtkNew<vtkMultiBlockDataSet> levels;
-  StreamFile::Extract(options, stream, levels);
   vtkNew<vtkTable> profile;
-  StreamFile::GetProfile(stream, profile);
+  StreamFile::Extract(options, stream, levels, profile);
   return Finish(options, log, levels, profile, read + ", " + Describe("extract", clock.Lap()));
 }
 
@@ -274,7 +262,7 @@ int main(int argc, char* argv[])
   switch (options.Wanted)
   {
     case Options::Action::ShowHelp:
-      std::fputs(HelpText, stdout);
+      std::fputs(GetHelp().c_str(), stdout);
       return Success;
     case Options::Action::ShowVersion:
       std::puts("carve " CARVE_VERSION);

@@ -9,8 +9,8 @@ find_package(VTK 9.1 REQUIRED
     CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore FiltersGeneral vtksys
     ParallelCore
   OPTIONAL_COMPONENTS
-    FiltersSources InteractionStyle Python RenderingCore RenderingOpenGL2 TestingCore
-    TestingRendering WrappingPythonCore)
+    FiltersSources InteractionStyle IOCore IOGeometry IOLegacy IOPLY IOXML Python RenderingCore
+    RenderingOpenGL2 TestingCore TestingRendering WrappingPythonCore)
 
 set(cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/TopologyCarving")
 

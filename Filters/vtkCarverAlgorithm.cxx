@@ -167,8 +167,8 @@ double vtkCarverAlgorithm::GetStageSeconds(int stage)
 //------------------------------------------------------------------------------
 int vtkCarverAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // Anything on port 0: with vtkPolyData alone the pipeline would feed the leaves of a composite one by
-  // one and keep the last result only, and would not say what to do about a grid.
+  // Anything on port 0: with vtkPolyData alone the pipeline would feed the leaves of a composite
+  // one by one and keep the last result only, and would not say what to do about a grid.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObject" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCarverAlgorithm
- * @brief what vtkTopologyCarver and vtkContourCarver have in common: properties, ports, stages
+ * @brief the common base of vtkTopologyCarver and vtkContourCarver: properties, ports, stages
  *
- * The properties are described for meshes in space. For contours in a plane read triangle for
- * tetrahedron, edge for triangle, area for volume and polygon for closed mesh.
+ * The properties are described for meshes in space. For contours in a plane, read triangle for
+ * tetrahedron, edge for triangle, area for volume and polygon for closed mesh. The classes document
+ * their outputs, and the terms M (the input) and C0 (the first level).
  */
 #ifndef vtkCarverAlgorithm_h
 #define vtkCarverAlgorithm_h
@@ -26,7 +27,7 @@ public:
   vtkAbstractTypeMacro(vtkCarverAlgorithm, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What a stream starts from (section 3.1). */
+  /** The first level, C0 (section 3.1). */
   enum InitialApproximations
   {
     CONVEX_HULL = 0,
@@ -34,7 +35,7 @@ public:
     CUSTOM = 2
   };
 
-  /** q, by which tetrahedra are prioritized (section 4). */
+  /** The measure q of a tetrahedron, which its priority follows (section 4). */
   enum PriorityMeasures
   {
     LONGEST_EDGE = 0,
@@ -43,14 +44,14 @@ public:
     EDGE_VOLUME = 3
   };
 
-  /** d, the depth of a tetrahedron (section 5.3). */
+  /** The depth d of a tetrahedron (section 5.3). */
   enum DepthMeasures
   {
     HIERARCHY = 0,
     DISTANCE = 1
   };
 
-  /** Which regions that M encloses are solid. */
+  /** The rule for which of the regions that M encloses are solid. Not in the paper. */
   enum SolidRules
   {
     NONZERO_WINDING = 0,
@@ -58,7 +59,7 @@ public:
     SURFACE_ONLY = 2
   };
 
-  /** Whether M has to be a union of faces of tetrahedra. */
+  /** Whether M must be a union of faces of tetrahedra. Enclosing is not in the paper. */
   enum Conformities
   {
     EXACT = 0,
@@ -66,14 +67,14 @@ public:
     AUTO = 2
   };
 
-  /** How folds show; AUTO is a third choice. */
+  /** The number of sides that folds show. AUTO is a third choice. */
   enum FoldSides
   {
     ONE_SIDE = 0,
     BOTH_SIDES = 1
   };
 
-  /** What a level target counts or measures. */
+  /** The quantity that a level target bounds. */
   enum LevelTargets
   {
     VERTICES = 0,
@@ -87,13 +88,16 @@ public:
 
   ///@{
   /**
-   * The first level, C0. CONVEX_HULL (default) has vertices of the input only. BOUNDING_BOX is the
-   * axis-aligned box around the input, grown by one hundredth of its diagonal on every side so that no
-   * input point lies on it: coarser to begin with, but its corners are new vertices, and while they
-   * last they draw spikes. CUSTOM is the mesh on input port 1: closed, of genus zero, in one piece, free
-   * of self-intersections and around the input, which it may touch; an error names each of these that
-   * does not hold. Its vertices are new, but for those where the input has one too. A change of this, or
-   * of the mesh on port 1 for CUSTOM, runs the helper program again.
+   * The first level, C0. A change runs the helper program again, and so does, for CUSTOM, a change
+   * of the mesh on input port 1.
+   * - CONVEX_HULL (default): has vertices of the input only.
+   * - BOUNDING_BOX: the axis-aligned box around the input, grown by one hundredth of its diagonal
+   *   on every side so that no input point lies on it. The box is coarser than the hull, but its
+   *   corners are new vertices, and levels have spikes towards them as long as they last.
+   * - CUSTOM: the mesh on input port 1. It must be closed, of genus zero, connected, free of
+   *   self-intersections, and around the input, which it may touch. An error names the condition
+   *   that does not hold. The vertices of the mesh are new, except where the input has an equal
+   *   vertex.
    */
   vtkSetClampMacro(InitialApproximation, int, CONVEX_HULL, CUSTOM);
   vtkGetMacro(InitialApproximation, int);
@@ -101,14 +105,17 @@ public:
 
   ///@{
   /**
-   * q(t), by which the tetrahedra t are prioritized; the highest is carved first (section 4).
-   * - LONGEST_EDGE (default): l, the length of the longest edge. Opens wide gaps before narrow ones
-   *   and varies little between neighbors.
-   * - VOLUME: v. Removes the most volume early; neighbors differ much, which leaves sharp features.
-   * - CIRCUMRADIUS: r, the radius of the circumscribed sphere, at most the hull's diagonal. Close to
-   *   rolling a shrinking ball over M; takes flat tetrahedra early.
-   * - EDGE_VOLUME: the geometric mean of l and the cube root of v, both of the paper's two terms: slivers,
-   *   whose edges are long, come later than by LONGEST_EDGE.
+   * The measure q(t) of a tetrahedron t. The tetrahedron with the highest priority is carved first
+   * (section 4).
+   * - LONGEST_EDGE (default): the length l of the longest edge. Wide gaps open before narrow ones,
+   *   and the measure varies little between neighbors.
+   * - VOLUME: the volume v. Most of the volume is removed early. The measure varies much between
+   *   neighbors, which leaves sharp features.
+   * - CIRCUMRADIUS: the radius of the circumscribed sphere, at most the diagonal of the hull. The
+   *   order is close to rolling a shrinking ball over M. Flat tetrahedra are carved early.
+   * - EDGE_VOLUME: the geometric mean of l and the cube root of v, which are the two terms of the
+   *   paper. Slivers have long edges and small volumes, so that they are carved later than with
+   *   LONGEST_EDGE.
    */
   vtkSetClampMacro(PriorityMeasure, int, LONGEST_EDGE, EDGE_VOLUME);
   vtkGetMacro(PriorityMeasure, int);
@@ -116,9 +123,9 @@ public:
 
   ///@{
   /**
-   * dp of equation (2): the priority is q(t) d(t)^-dp, so that the higher the exponent the more evenly
-   * carving advances from all sides instead of digging deep (snaking, section 5.1). At least 0, the
-   * default, by which depth does not matter.
+   * The exponent dp of equation (2), by which the priority is q(t) d(t)^-dp. The higher the
+   * exponent, the more evenly carving advances from all sides instead of digging deep (snaking,
+   * section 5.1). At least 0; with 0, the default, depth does not matter.
    */
   void SetDepthExponent(double value)
   {
@@ -129,9 +136,9 @@ public:
 
   ///@{
   /**
-   * d(t) of equation (2). HIERARCHY (default): 1 for a tetrahedron on C0, one more than the neighbor
-   * whose carving made it carvable for any other. DISTANCE: that of the centroid from the surface of
-   * C0, in world units.
+   * The depth d(t) of equation (2). HIERARCHY (default): 1 for a tetrahedron on C0; for any other,
+   * one more than the depth of the neighbor whose carving made it carvable. DISTANCE: the distance
+   * of the centroid from the surface of C0, in world units.
    */
   vtkSetClampMacro(DepthMeasure, int, HIERARCHY, DISTANCE);
   vtkGetMacro(DepthMeasure, int);
@@ -139,11 +146,12 @@ public:
 
   ///@{
   /**
-   * bp of section 5.4, in world units: a step carves all tetrahedra whose centroid lies within this
-   * distance of the popped one's and that a walk among those reaches without crossing M. It avoids
-   * narrow, deep cavities (spiking, section 5.2). At least 0, the default: one tetrahedron a step. About
-   * the width of the gaps between parts works best; much wider, and a step reaches deep into them
-   * again.
+   * The radius bp of section 5.4, in world units. A step carves the popped tetrahedron and all
+   * others whose centroid lies within this distance of its centroid, and which a walk among those
+   * reaches without crossing M. The radius avoids narrow, deep cavities (spiking, section 5.2). At
+   * least 0; with 0, the default, a step starts from one tetrahedron only. A radius of about the
+   * width of the gaps between parts works best. With a much larger radius, a step reaches deep into
+   * the gaps again.
    */
   void SetBreadthRadius(double value)
   {
@@ -154,9 +162,10 @@ public:
 
   ///@{
   /**
-   * Whether exposed tetrahedra, those with more than one face open to the exterior, are carved in
-   * the same step as the neighbor whose carving exposed them (section 3.4). It lowers the number of
-   * triangles without changing that of vertices. Default on.
+   * Whether exposed tetrahedra are carved in the same step as the neighbor whose carving exposed
+   * them (section 3.4). A tetrahedron is exposed if more than one of its faces is open to the
+   * exterior. This lowers the number of triangles without changing the number of vertices. Default
+   * on.
    */
   vtkSetMacro(CarveExposed, bool);
   vtkGetMacro(CarveExposed, bool);
@@ -165,8 +174,9 @@ public:
 
   ///@{
   /**
-   * Whether voids, regions of the complement that M encloses, are carved too, each from its tetrahedron
-   * of highest priority on (section 3). If not, their walls show on no level. Default on.
+   * Whether voids are carved, too. A void is a region of the complement that M encloses; its
+   * carving starts from its tetrahedron of highest priority (section 3). If off, the walls of voids
+   * show on no level. Default on.
    */
   vtkSetMacro(CarveVoids, bool);
   vtkGetMacro(CarveVoids, bool);
@@ -175,17 +185,22 @@ public:
 
   ///@{
   /**
-   * Budgets: the most connected components, tunnels (handles) and voids (hollows) that any level may have,
-   * as the closed complex of M, the solid and all that is not carved. A tetrahedron that would exceed one
-   * is left until that has changed, or for good, also where it is one of many in a step; so the last
-   * level need not be M, and a note says so. Tunnels and pieces, but for walls of voids, are within the
-   * budget after cutting into manifolds, too. With 1, 0 and 0 carving ends in a tight wrap of M without
-   * gaps or holes: closed, one piece, of genus zero (sheets show with both sides, see KeepBothFoldSides). -1, the default: no limit. The first level
-   * has one component, so that 0 components means 1. Tetrahedra are decided on in the order of their
-   * priorities: a budget goes to the widest gaps, not to those that would bring levels closest to M.
+   * Budgets: the largest numbers of connected components, tunnels (handles) and voids (hollows)
+   * that any level may have. The numbers are those of the closed complex K, the union of M, the
+   * solid and all tetrahedra that are not yet carved. -1, the default, means no limit. Budgets are
+   * not in the paper.
    *
-   * In a plane, triangles take the place of tetrahedra, tunnels are the holes of what is left, and there
-   * are no voids.
+   * A tetrahedron that would exceed a budget is not carved, neither alone nor with others in a
+   * step, until its removal would no longer exceed the budget. So the last level may differ from M;
+   * then a note says so. Components and tunnels are within the budget after cutting into manifolds,
+   * too, if the walls of voids are not counted as components. With 1, 0 and 0, carving ends in a
+   * tight wrap of M without gaps or holes: closed, connected, of genus zero (sheets show both
+   * sides, see KeepBothFoldSides). The first level has one component, so that 0 components means 1.
+   * Tetrahedra are decided in the order of their priorities: a budget is spent on the widest gaps,
+   * not on the gaps that would bring the levels closest to M.
+   *
+   * In a plane, triangles take the place of tetrahedra, tunnels are the holes of K, and there are
+   * no voids.
    */
   vtkSetClampMacro(MaximumComponents, int, -1, VTK_INT_MAX);
   vtkGetMacro(MaximumComponents, int);
@@ -197,17 +212,18 @@ public:
 
   ///@{
   /**
-   * Which of the regions that M encloses are solid; the others are voids. What reaches the outside
-   * without crossing M is neither.
-   * - NONZERO_WINDING (default): where the winding number of M is at least one half in magnitude.
-   *   Overlapping parts are solid throughout, whichever way they are oriented.
-   * - EVEN_ODD: where the path of fewest crossings from the outside crosses an odd number of triangles.
-   *   Orientation does not matter; shells within shells are solid and hollow by turns.
-   * - SURFACE_ONLY: none. Of a closed mesh the inside is carved too.
+   * Which of the regions that M encloses are solid. The other enclosed regions are voids. A region
+   * that reaches the outside without crossing M is neither. The rules are not in the paper.
+   * - NONZERO_WINDING (default): the regions where the winding number of M is at least one half in
+   *   magnitude. Overlapping parts are solid throughout, whatever their orientation.
+   * - EVEN_ODD: the regions where the path of fewest crossings from the outside crosses an odd
+   *   number of triangles. Orientation does not matter. Nested shells are alternately solid and
+   *   hollow.
+   * - SURFACE_ONLY: none. The inside of a closed mesh is carved, too.
    *
-   * For a mesh that is open or inconsistently oriented the first two may have to guess; a note says so.
-   * Where the first attempts at a tetrahedralization failed, what is solid matters for further ones: a
-   * change then runs the helper program again.
+   * For a mesh that is open or inconsistently oriented, the first two rules may have to guess; then
+   * a note says so. If the first attempts at a tetrahedralization failed, further attempts depend
+   * on the rule: a change of the rule then runs the helper program again.
    */
   vtkSetClampMacro(SolidRule, int, NONZERO_WINDING, SURFACE_ONLY);
   vtkGetMacro(SolidRule, int);
@@ -215,18 +231,21 @@ public:
 
   ///@{
   /**
-   * What is done with a mesh that TetGen does not cope with; of no effect on contours.
-   * - EXACT: TetGen is tried with up to six orders of the points and triangles and, where M is closed,
-   *   without the triangles that have solid on both sides, which no level shows, then with vertices added
-   *   on the triangles, up to 10 times M's own and 100,000; then it is an error. The last level is M.
-   * - ENCLOSING: Delaunay, which never fails. Tetrahedra that M pierces are kept for good: levels enclose
-   *   M and do not cross themselves, but the last only comes near M (see EnclosingTolerance).
-   * - AUTO (default): EXACT; where that fails, takes too long or M crosses itself in so many places that
-   *   resolving it would multiply it, ENCLOSING.
+   * The treatment of a mesh that TetGen cannot tetrahedralize. Without effect on contours.
+   * - EXACT: TetGen is tried with up to six orders of the points and triangles. If M is closed,
+   *   TetGen is then tried without the triangles that have solid on both sides, which no level
+   *   shows. The next attempt adds vertices on the triangles: at most 10 for each of M's own, plus
+   *   100,000. If all attempts fail, the result is an error. The last level is M.
+   * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
+   *   are never carved: levels enclose M and do not cross themselves, but the last level only
+   *   approximates M (see EnclosingTolerance).
+   * - AUTO (default): EXACT, and ENCLOSING if that fails or takes too long, or if M crosses itself
+   *   in so many places that resolving would multiply its size.
    *
-   * Where EXACT or AUTO would fail otherwise, SnapTolerance lets points be moved.
+   * With SnapTolerance, points may be moved where EXACT or AUTO would fail otherwise.
    *
-   * The field data's `Strategy` says what it came to, and notes on port 0 why.
+   * The array `Strategy` of the field data names the attempt that succeeded, and the notes on port
+   * 0 say why others failed.
    */
   vtkSetClampMacro(Conformity, int, EXACT, AUTO);
   vtkGetMacro(Conformity, int);
@@ -234,11 +253,12 @@ public:
 
   ///@{
   /**
-   * How far the tetrahedra that a mesh pierces, which no level carves, may reach from it in ENCLOSING mode,
-   * as a share of the diagonal of the mesh's bounding box. Where they reach farther, vertices are put on
-   * the mesh's triangles and near them until they do not, but no more than 10 times the mesh's own and
-   * 100,000. The field data's `KeptDistance` says what has been reached. Default 0.02, range 0 to 1; 0: no
-   * vertex is added, and levels have the mesh's alone.
+   * The distance that the tetrahedra that a mesh pierces, which are never carved, may reach from
+   * the mesh in ENCLOSING mode, as a share of the diagonal of the mesh's bounding box. Where they
+   * reach farther, vertices are added on the mesh's triangles and near them until the tolerance
+   * holds, but at most 10 for each of the mesh's own vertices, plus 100,000. The array
+   * `KeptDistance` of the field data has the distance that has been reached. Range 0 to 1, default
+   * 0.02. With 0, no vertex is added, and levels have vertices of the mesh only.
    */
   void SetEnclosingTolerance(double value)
   {
@@ -249,14 +269,16 @@ public:
 
   ///@{
   /**
-   * How far points of the mesh may be moved where TetGen does not cope with it as it is, as a share of the
-   * diagonal of its bounding box: points are rounded to a grid, so that what nearly touches touches or
-   * vanishes, and resolved again, and TetGen is tried once more. That comes after all else in EXACT and
-   * before the mesh is only enclosed in AUTO; it is of no effect in ENCLOSING, on a CUSTOM initial
-   * approximation and on contours. M is then the snapped mesh: it is what levels enclose, and what the last
-   * is. The field data's `SnapDistance` says how far points have been moved. Of a mesh with much detail
-   * that is smaller than the tolerance, only a finer grid can be used, or none. Default 0, range 0 to 1:
-   * no point is ever moved. 1e-6 is worth a try.
+   * The distance that points of the mesh may be moved if TetGen cannot tetrahedralize the mesh as
+   * given, as a share of the diagonal of the mesh's bounding box. Points are rounded to a grid, so
+   * that parts that nearly touch do touch or vanish. The mesh is then resolved again, and TetGen is
+   * tried once more. In EXACT mode, snapping is the last attempt; in AUTO mode, it comes before the
+   * mesh is only enclosed. Snapping is without effect in ENCLOSING mode, on a CUSTOM initial
+   * approximation and on contours. M is then the snapped mesh: levels enclose the snapped mesh, and
+   * the last level is the snapped mesh. The array `SnapDistance` of the field data has the largest
+   * distance that a point has been moved. If a mesh has many details that are smaller than the
+   * tolerance, only a finer grid can be used, or none. Range 0 to 1. With 0, the default, no point
+   * is ever moved. A value worth a try is 1e-6. Snapping is not in the paper.
    */
   void SetSnapTolerance(double value)
   {
@@ -267,9 +289,9 @@ public:
 
   ///@{
   /**
-   * Whether a mesh that is enclosed only follows its own tightest level as a last one, with the field data
-   * `Kind` "input": it may cross itself and need not be a manifold. Default off. Of no effect in exact
-   * mode, where the last level is the mesh, and on contours.
+   * Whether a mesh that is only enclosed follows its own tightest level as the last level, with
+   * `Kind` "input" in the field data. That level may cross itself and need not be a manifold.
+   * Without effect in exact mode, where the last level is the mesh, and on contours. Default off.
    */
   vtkSetMacro(AppendInput, bool);
   vtkGetMacro(AppendInput, bool);
@@ -278,9 +300,10 @@ public:
 
   ///@{
   /**
-   * The most that one attempt at a tetrahedralization may take, in seconds by the clock and in MiB; then it
-   * counts as failed. 0, the default: no limit on memory, and processor time in which TetGen does any mesh
-   * that it can, so that what comes out does not depend on how busy the machine is.
+   * The time and the memory that one attempt at a tetrahedralization may take, in seconds of
+   * wall-clock time and in MiB. An attempt that exceeds a limit counts as failed. 0, the default,
+   * means no limit on memory, and for time a limit in processor time that suffices for every mesh
+   * that TetGen can tetrahedralize, so that the result does not depend on how busy the machine is.
    */
   void SetTimeLimit(double value)
   {
@@ -296,11 +319,11 @@ public:
 
   ///@{
   /**
-   * Number of levels to spread between C0, the first, and M, the last, so that their vertex counts
-   * grow geometrically. Where there are not that many distinct vertex counts, the rest is spread by
-   * steps; where there are not that many steps, there are fewer levels. 1 gives M alone. Range 1 to
-   * 1,000, since all levels of an update are in memory at once; default 8. Not used while level targets
-   * are set.
+   * The number of levels from C0, the first, to M, the last, whose vertex counts grow
+   * geometrically. If there are fewer distinct vertex counts, the remaining levels are spread by
+   * steps; if there are fewer steps, there are fewer levels. 1 gives M alone. Range 1 to 1,000,
+   * since all levels of an update are in memory at the same time; default 8. Not used while level
+   * targets are set.
    */
   vtkSetClampMacro(NumberOfLevels, int, 1, 1000);
   vtkGetMacro(NumberOfLevels, int);
@@ -308,11 +331,12 @@ public:
 
   ///@{
   /**
-   * Whether folds, triangles of M with the exterior on both sides, show with both of their sides: the
-   * triangle and its opposite-facing copy (section 3.3). ONE_SIDE (off): once each, oriented as in M, so
-   * that sheets are open surfaces. BOTH_SIDES (on): levels are closed. AUTO (default): both sides where a
-   * budget is set (see MaximumComponents), since only closed surfaces have the pieces and tunnels that it
-   * speaks of.
+   * Whether folds, which are triangles of M with the exterior on both sides, show both of their
+   * sides: the triangle and its opposite-facing copy (section 3.3).
+   * - ONE_SIDE (off): folds show once, oriented as in M, so that sheets are open surfaces.
+   * - BOTH_SIDES (on): levels are closed.
+   * - AUTO (default): both sides if a budget is set (see MaximumComponents), since only closed
+   *   surfaces have the components and tunnels that the budget limits.
    */
   vtkSetClampMacro(KeepBothFoldSides, int, ONE_SIDE, AUTO);
   vtkGetMacro(KeepBothFoldSides, int);
@@ -321,13 +345,13 @@ public:
 
   ///@{
   /**
-   * Whether levels are cut into oriented manifolds (section 3.3): no edge has more than two triangles,
-   * and the triangles of every vertex form one fan. Where sheets meet in an edge or a vertex, each gets
-   * a copy of its points; what bounds a solid stays closed. Parts that touch along several edges in a row
-   * stay joined, those that touch in one edge alone, or in a vertex, are cut apart: so cutting opens no
-   * tunnel. One side of folds is joined with folds only, so that a tunnel of a solid that sheets close is
-   * open on its surface. Default on; off leaves one point per vertex.
-   * `Vertices` does not count the copies.
+   * Whether levels are cut into oriented manifolds (section 3.3): no edge has more than two
+   * triangles, and the triangles of every vertex form one fan. Where sheets meet in an edge or a
+   * vertex, each sheet gets its own copy of the points; the boundary of a solid stays closed. Parts
+   * that touch along several consecutive edges stay joined. Parts that touch in a single edge or
+   * vertex are cut apart. So cutting opens no tunnel. One side of a fold is joined with other folds
+   * only, so that a tunnel of a solid that sheets close is open on the surface of the solid.
+   * Default on; if off, every vertex has one point. `Vertices` does not count the copies.
    */
   vtkSetMacro(ManifoldOutput, bool);
   vtkGetMacro(ManifoldOutput, bool);
@@ -336,11 +360,12 @@ public:
 
   ///@{
   /**
-   * Whether the distance of every step from M is computed: the `Error` of a level, of a row of the
-   * profile and in the stream, in world units. It is the one-sided Hausdorff distance, of the point of
-   * that step's surface that is farthest from M; never too small, and at most a hundredth too large. It
-   * takes about ten times as long as carving alone, mostly less than the tetrahedralization or about as
-   * long. Default off: `Error` is NaN.
+   * Whether the distance of every step from M is computed, in world units: the `Error` of a level,
+   * of a row of the profile and in the stream. The distance is the one-sided Hausdorff distance:
+   * that of the point of the step's surface that is farthest from M. It is never too small, and at
+   * most one hundredth too large. The computation takes about ten times as long as carving alone,
+   * usually less than or about as long as the tetrahedralization. Default off: `Error` is NaN.
+   * Distances are not in the paper.
    */
   vtkSetMacro(ComputeError, bool);
   vtkGetMacro(ComputeError, bool);
@@ -349,8 +374,8 @@ public:
 
   ///@{
   /**
-   * What the level targets are: numbers of VERTICES (default) or TRIANGLES of a level, a FEATURE_SIZE,
-   * numbers of tunnels (TUNNELS) or COMPONENTS, an ERROR_BOUND or a STEP.
+   * The quantity that the level targets bound: the number of VERTICES (default) or TRIANGLES of a
+   * level, a FEATURE_SIZE, the number of tunnels (TUNNELS) or COMPONENTS, an ERROR_BOUND or a STEP.
    */
   vtkSetClampMacro(LevelTargetType, int, VERTICES, STEP);
   vtkGetMacro(LevelTargetType, int);
@@ -358,29 +383,32 @@ public:
 
   ///@{
   /**
-   * Levels by size, one for each target. VERTICES, TRIANGLES, TUNNELS or COMPONENTS n: the last step such
-   * that it and all steps before it have at most n (tunnels may get more and then fewer again); a target
-   * below C0's own count gives C0 and a warning. ERROR_BOUND e, a length: the first step such that no
-   * point of it or of any step after it is farther than e from M (see ComputeError, which is then taken
-   * to be on); where no step is as close, the last and a warning. FEATURE_SIZE
-   * s, a length: the last step before a priority of at most s is popped (for VOLUME its cube root, for
-   * CIRCUMRADIUS twice it), so that gaps wider than about s are open and narrower ones closed; strict
-   * only with DepthExponent and BreadthRadius 0 and CarveExposed off. STEP k: that step, or the nearest
-   * and a warning. Levels are sorted from coarse to fine. While any target is set it replaces
-   * NumberOfLevels.
+   * Targets for levels, each of which gives one level. While any target is set, the targets replace
+   * NumberOfLevels. Levels are sorted from coarse to fine.
+   * - VERTICES, TRIANGLES, TUNNELS or COMPONENTS n: the last step such that neither it nor any step
+   *   before it has more than n. (The number of tunnels can grow and fall again.) A target below
+   *   C0's own number gives C0 and a warning.
+   * - ERROR_BOUND e, a length: the first step such that no point of it, or of any step after it, is
+   *   farther than e from M. These targets imply ComputeError. If no step is close enough, the last
+   *   step and a warning.
+   * - FEATURE_SIZE s, a length: the last step before a priority of at most s is popped (for VOLUME
+   *   its cube root, for CIRCUMRADIUS twice its value), so that gaps wider than about s are open
+   *   and narrower gaps are closed. This holds strictly only if DepthExponent and BreadthRadius are
+   *   0 and CarveExposed is off.
+   * - STEP k: that step, or the nearest one and a warning.
    */
   void AddLevelTarget(double target);
   void ClearLevelTargets();
   int GetNumberOfLevelTargets();
-  /** Returns 0 if there is no target of that index. */
+  /** The target of an index, or 0 if there is none. */
   double GetLevelTarget(int index);
   ///@}
 
   ///@{
   /**
-   * Wall-clock seconds that each stage of the last update took, summed over the leaves of a composite
-   * input. The first stages belong to the helper program and are 0 when its result was reused. An
-   * index out of range gives 0 and null.
+   * The wall-clock seconds that each stage of the last update took, summed over the leaves of a
+   * composite input. The first stages belong to the helper program; their seconds are 0 if its
+   * result was reused. An index out of range gives 0 and null.
    */
   int GetNumberOfStages();
   const char* GetStageName(int stage);
@@ -389,10 +417,11 @@ public:
 
   ///@{
   /**
-   * The processes that share the work of a parallel run; by default the global controller, which there
-   * is under MPI only. Every object, the input or a leaf of it, is carved whole by one process: the one
-   * that has it, or, with a warning, the lowest of those that it is spread over. The others get the same
-   * blocks with null or empty data in them.
+   * The processes that share the work of a parallel run. The default is the global controller,
+   * which exists under MPI only. Every object, which is the input or one of its leaves, is carved
+   * whole by one process: the process that has the object. If an object is spread over several
+   * processes, the lowest of these carves it, and a warning says so. The other processes get the
+   * same blocks with null or empty data.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -411,8 +440,8 @@ protected:
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
   /**
-   * Whether the last update succeeded with the same inputs and properties, none of which has changed since. In
-   * a parallel run the answer is the same on all processes, all of which must ask.
+   * Whether the last update succeeded and had these inputs, as they are now, and the present
+   * properties. In a parallel run, all processes must ask, and get the same answer.
    */
   bool IsUpToDate(vtkInformationVector** in);
 

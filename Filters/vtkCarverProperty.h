@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The properties of vtkCarverAlgorithm as a table, for code that prints, stores or sets all of them.
+ * The properties of vtkCarverAlgorithm as a table, for code that prints, stores or sets all of
+ * them.
  */
 #ifndef vtkCarverProperty_h
 #define vtkCarverProperty_h
@@ -29,7 +30,10 @@ struct VTKTOPOLOGYCARVING_EXPORT vtkCarverProperty
   /** Whether the field data of a stream has the value, under the property's name. */
   bool IsStored;
 
-  /** A description without the default. Empty if command-line programs have other options for the property. */
+  /**
+   * A description without the default. Empty if command-line programs have other options for the
+   * property.
+   */
   std::string Help;
 
   /** The value as text: the name of a choice, or a number. */

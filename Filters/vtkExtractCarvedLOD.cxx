@@ -92,7 +92,9 @@ public:
     return stream;
   }
 
-  /** The profiles of all streams in a data object, which can be null. Only the profiles are read. */
+  /**
+   * The profiles of all streams in a data object, which can be null. Only the profiles are read.
+   */
   std::vector<carving::Profile> GetProfiles(vtkDataObject* input)
   {
     std::vector<carving::Profile> profiles;

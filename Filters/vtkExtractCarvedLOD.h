@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkExtractCarvedLOD
- * @brief a level of detail from the stored stream of a carving
+ * @brief extract a level of detail from the stored stream of a carving
  *
- * Input is the stream that vtkTopologyCarver or vtkContourCarver gives on its output port 1, directly or
- * from a file (.vtu), unchanged. Output is one level: with the same target and ManifoldOutput it is bit
- * for bit the one that the carver gives, with the same arrays, which vtkTopologyCarver documents.
- * Nothing is carved again. The first request prepares the stream; all later ones, whatever the target,
- * take time proportional to the size of the stream, milliseconds for 150,000 tetrahedra.
+ * The input is the stream that vtkTopologyCarver or vtkContourCarver gives on its output port 1,
+ * directly or from a file (.vtu), unchanged. The output is one level. With the same target and
+ * ManifoldOutput, the level is bit for bit the one that the carver gives, with the same arrays,
+ * which vtkTopologyCarver documents. Nothing is carved again. The first request prepares the
+ * stream. All later requests, whatever their target, take time proportional to the size of the
+ * stream: milliseconds for 150,000 tetrahedra.
  *
- * Of a composite input each stream gives its level; the output is then a vtkMultiBlockDataSet with the
- * same tree, which GetOutputDataObject(0) returns.
+ * For a composite input, the output is a vtkMultiBlockDataSet with the same tree and a level of
+ * each stream. GetOutputDataObject(0) returns it.
  *
- * **Errors** are reported through vtkErrorMacro, and the output is then empty: an input that is not a
- * stream or not a whole one. The input may come from any file: the first request checks all of it, and the
- * error names the array, cell or point that is not as it must be.
+ * **Errors** are reported through vtkErrorMacro, and the output is then empty: an input that is not
+ * a complete stream. The input may come from any file: the first request checks all of it, and the
+ * error names the array, the cell or the point that is not valid.
  */
 #ifndef vtkExtractCarvedLOD_h
 #define vtkExtractCarvedLOD_h
@@ -35,7 +36,9 @@ public:
   vtkTypeMacro(vtkExtractCarvedLOD, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What the level target is. */
+  /**
+   * The quantity that the level target bounds.
+   */
   enum LevelTargets
   {
     VERTICES = 0,
@@ -49,9 +52,10 @@ public:
 
   ///@{
   /**
-   * What the target is: VERTICES (default), TRIANGLES, FEATURE_SIZE, TUNNELS, COMPONENTS, ERROR_BOUND or
-   * STEP, each as in vtkTopologyCarver. ERROR_BOUND is for streams that were carved with ComputeError
-   * on, or by such targets; of others it gives the last level and a warning.
+   * The quantity that the target bounds: VERTICES (default), TRIANGLES, FEATURE_SIZE, TUNNELS,
+   * COMPONENTS, ERROR_BOUND or STEP, each as in vtkTopologyCarver. ERROR_BOUND needs a stream that
+   * was carved with ComputeError on, or with such targets; for any other stream it gives the last
+   * level and a warning.
    */
   vtkSetClampMacro(LevelTargetType, int, VERTICES, STEP);
   vtkGetMacro(LevelTargetType, int);
@@ -59,8 +63,9 @@ public:
 
   ///@{
   /**
-   * The number of vertices, triangles, tunnels or components, the length or the step that picks the level,
-   * 0 or more. A target that cannot be met gives the nearest level and a warning. Default 1000.
+   * The target that picks the level: a number of vertices, triangles, tunnels or components, a
+   * length, or a step. At least 0, default 1000. A target that no level meets gives the nearest
+   * level and a warning.
    */
   vtkSetClampMacro(LevelTarget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LevelTarget, double);
@@ -68,10 +73,11 @@ public:
 
   ///@{
   /**
-   * Whether the pipeline's time picks the level, so that an animation shows the carving: the times 0, 1,
-   * ... NumberOfTimeSteps - 1 stand for levels spread from C0 to M as by the carver's NumberOfLevels. If
-   * off, if no time is asked for, or if the input has time steps of its own, the target picks it.
-   * Default on.
+   * Whether the pipeline's time picks the level, so that an animation shows the carving. The times
+   * 0, 1, ... NumberOfTimeSteps - 1 stand for levels from C0 to M that are spread like those of the
+   * carver's NumberOfLevels. Where a stream has fewer steps, several times stand for the same step.
+   * The target picks the level if FollowTime is off, if no time is requested, or if the input has
+   * time steps of its own. Default on.
    */
   vtkSetMacro(FollowTime, bool);
   vtkGetMacro(FollowTime, bool);
@@ -79,8 +85,9 @@ public:
   ///@}
 
   /**
-   * Adds the time steps that FollowTime offers to the information of an output port, unless the input's
-   * has some of its own, and returns whether it has: for filters that contain this one.
+   * Adds the time steps of FollowTime to the information of an output port, unless the information
+   * of the input has time steps of its own. Returns whether the times have been added. For filters
+   * that contain this one.
    */
   bool OfferTimes(vtkInformation* input, vtkInformation* output);
 
@@ -91,14 +98,15 @@ public:
   ///@}
 
   /**
-   * The least and the greatest target of a type that pick different levels of the input as it is now,
-   * of all its streams together. Returns false, and 0 and 0, if there is none.
+   * The least and the greatest target of a type that pick different levels of the input as it is
+   * now, over all its streams. Returns false, with the range 0 to 0, if there is no stream.
    */
   bool GetLevelTargetRange(int type, double range[2]);
 
   /**
-   * Fills a table with the profile of the input as it is now, as on output port 2 of the carver: of the first
-   * stream of a composite input. Returns false, and an empty table, if there is none.
+   * Fills a table with the profile of the input as it is now, like output port 2 of the carver. For
+   * a composite input, the profile is that of the first stream. Returns false, with an empty table,
+   * if there is no stream.
    */
   bool GetProfile(vtkTable* profile);
 
@@ -136,7 +144,9 @@ private:
   std::unique_ptr<Internals> Streams;
   bool OffersTime = false;
 
-  /** `time` is null where the target picks the level. Return false after an error. */
+  /**
+   * Extract the level for a time, or for the target if `time` is null. Return false after an error.
+   */
   bool ExtractLeaf(vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level);
   bool ExtractTree(vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels);
 };

@@ -3,97 +3,115 @@
  * @class vtkTopologyCarver
  * @brief simplify the topology of a polygonal mesh by carving it out of its convex hull
  *
- * Input is any vtkPolyData, closed or open, manifold or not, one piece or many, or a composite of
- * them. vtkTopologyCarver tetrahedralizes the space between the mesh M and its convex hull C0 and
- * carves the tetrahedra away, those with the longest edge first, until M appears. One run gives a
- * stream of approximations C0, C1, ..., Cn = M in which components split off and tunnels open one
- * after the other. Each of them encloses M, is part of the one before it, does not cross itself and
- * has vertices of M only.
+ * The input is any vtkPolyData, closed or open, manifold or not, connected or not, or a composite
+ * of vtkPolyData. vtkTopologyCarver tetrahedralizes the space between the mesh M and its convex
+ * hull C0. It then carves the tetrahedra away, those with the longest edge first, until M appears.
+ * One run gives a stream of approximations C0, C1, ..., Cn = M in which components split off and
+ * tunnels open one after the other. Each approximation encloses M, is part of the one before it,
+ * does not cross itself and has vertices of M only.
  *
  *                    +--> port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
  *   vtkPolyData M ---+--> port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
  *                    +--> port 2: vtkTable, the profile: a row per step, row 0 is C0
  *
- * The method is that of "Carving for topology simplification of polygonal meshes" (Computer-Aided
- * Design); the section and equation numbers in this documentation are those of that paper.
+ * The method is that of "Carving for topology simplification of polygonal meshes", which README.md
+ * cites in full. Section and equation numbers in this documentation refer to that paper.
  *
- * **Steps.** A step is one pop from the queue of carvable tetrahedra with all that it takes along.
- * Step 0 is C0; a stream of n steps has n + 1 approximations.
+ * **Steps.** A step is one pop from the queue of carvable tetrahedra, with all tetrahedra that are
+ * carved along. Step 0 is C0; a stream of n steps has n + 1 approximations.
  *
- * **Levels** are oriented outward. A triangle of M with solid on neither side, a fold, shows once,
- * oriented as in M. Vertices are doubles and bit for bit those of the input. Where triangles of the
- * input cross each other they are split first; only the points made by that, and Steiner points in
- * the carved space where the tetrahedralization needs some, are new.
+ * **Levels** are approximations that are written out. They are oriented outward. A fold, which is a
+ * triangle of M with solid on neither side, shows once, oriented as in M. Vertices are doubles and
+ * bit for bit those of the input. Triangles of the input that cross each other are split first.
+ * Only the points of these splits are new, and Steiner points in the carved space where the
+ * tetrahedralization needs some.
  *
  * Arrays of a level:
  * - cells: `Priority` and `Depth` (doubles: q(t) d(t)^-dp and d(t) of equation (2)) of the
  *   tetrahedron behind the face, NaN and 0 for a face of M; `vtkOriginalCellIds`, the input cell,
  *   -1 for a carved face; the input's cell data, 0 on carved faces.
- * - points: the input's point data, exact on input points, on new points interpolated at the
- *   closest point of the input; `vtkOriginalPointIds`, -1 for a new point; of a snapped mesh
- *   `SnapDistance`, by how much the point was moved, which makes it one of `NewVertices` if not 0.
- * - field data: `Step`, `Vertices`, `NewVertices`, `Triangles`, `Kind` ("carved", or
- *   "input" for the level that AppendInput appends), `Strategy` (how the
- *   mesh was tetrahedralized: "TetGen -pcY", "TetGen -pcY, order 1" and so on, "TetGen -pcY, without
- *   interior" where triangles inside the solid were left out, which the stream then lacks, "TetGen -pcM" where vertices
- *   were added on its triangles, "TetGen -pcY, snapped" where its points were moved, "Delaunay, enclosing"),
- *   `KeptDistance` (only of a mesh that is enclosed: how far what stays of the pierced tetrahedra reaches
- *   from it, to 5 %), `SnapDistance` (only of a mesh that has been snapped, see SnapTolerance: the farthest
- *   that a point was moved by, a length), `FeatureSize` (the smallest priority popped up to this step, a length;
- *   infinite for C0); `Components`, `Tunnels` and `Voids` of the closed complex K_i, and
- *   `SurfaceComponents` and `SurfaceGenus` of the level's own surface, all -1 for "input"; `Error`, how
- *   far it is from M at most, NaN where that has not been asked for (see ComputeError).
+ * - points: the input's point data, exact on input points, and interpolated at the closest point of
+ *   the input on new points; `vtkOriginalPointIds`, -1 for a new point; `SnapDistance`, only of a
+ *   snapped mesh: the distance that the point was moved. A point that was moved is one of the
+ *   `NewVertices`.
+ * - field data, on how the level was made: `Step`; `Kind`, "carved" or, for the level that
+ *   AppendInput appends, "input"; `Strategy`, how the mesh was tetrahedralized (see below);
+ *   `KeptDistance`, only of a mesh that is enclosed: the distance that the pierced tetrahedra reach
+ *   from the mesh, to 5 %; `SnapDistance`, only of a snapped mesh: the largest distance that a
+ *   point was moved.
+ * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
+ *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
+ *   and `Voids` of the closed complex K_i; `SurfaceComponents` and `SurfaceGenus` of the level's
+ *   own surface; `Error`, the largest distance of the level from M, NaN if it has not been asked
+ *   for (see ComputeError). The five numbers on topology are -1 for "input".
  *
- * **Topology.** K_i is M with the solid and all tetrahedra that are not carved away until step i, a closed
- * set. Its `Components` are what hangs together, be it by one point; its `Voids` are the hollows that it
- * encloses; its `Tunnels` is its tunnels, the first Betti number: the loops in it that nothing fills, each
- * independent of the others. Components and voids never get fewer; tunnels may merge. The surface is what
- * cutting leaves (see ManifoldOutput): where pieces of K_i touch in single points or edges only, it has more
- * components and fewer handles, and each wall of a void is a component too. `SurfaceGenus` is the sum over
- * its components, and at most `Tunnels`; -1 where it is open, or has not been cut. Filters/TOPOLOGY.md
- * explains all of this.
+ * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, order 1" and so on; "TetGen -pcY,
+ * without interior" if triangles inside the solid were left out, which the stream then lacks;
+ * "TetGen -pcM" if vertices were added on the triangles; "TetGen -pcY, snapped" if points were
+ * moved; and "Delaunay, enclosing".
  *
- * Arrays of the stream, whose cells are the tetrahedra between M and C0 and then the triangles of M:
- * `Priority` (when popped), `Depth`, `Step` (of a tetrahedron: it is missing from C_j for j >= Step;
- * of a triangle: the first step at which it shows; -1: never), `Region` (tetrahedra joined by faces
- * that are not of M; -1 for triangles) and `SolidSides` (of a triangle: 1 if the solid is behind it plus 2
- * if it is in front), `vtkOriginalCellIds`, `vtkOriginalPointIds` and the input's data as above. Its
- * field data has the settings by the names of the properties, and the profile by the names of its columns
- * after "Profile": `ProfileVertices` and so on (`ProfileError` only if it has been asked for).
- * vtkExtractCarvedLOD gives any level from it.
+ * **Topology.** K_i is the union of M, the solid and all tetrahedra that are not carved before or
+ * at step i. It is a closed set. `Components` is the number of connected components of K_i, where a
+ * single common point connects. `Voids` is the number of hollows that K_i encloses. `Tunnels` is
+ * the first Betti number of K_i: the number of independent loops in K_i that nothing fills.
+ * Components and voids never get fewer along a stream; tunnels may merge. The Betti numbers are not
+ * in the paper. The surface of a level is the result of cutting K_i's boundary (see
+ * ManifoldOutput): where parts of K_i touch in single points or edges only, the surface has more
+ * components and fewer handles than K_i, and each wall of a void is a component, too.
+ * `SurfaceGenus` is the sum over the components and at most `Tunnels`; -1 if the surface is open or
+ * has not been cut. Filters/TOPOLOGY.md explains all of this.
  *
- * In enclosing mode (see Conformity) M need not be a union of faces. The triangles of M in the stream and
- * on levels are then those faces that overlap one of M's in an area, and the stream has all tetrahedra:
- * those of the solid, and those that M pierces, have `Step` -1 and `Priority` NaN.
+ * Arrays of the stream, whose cells are the tetrahedra between M and C0, followed by the triangles
+ * of M:
+ * - cells: `Priority` (when popped); `Depth`; `Step`, for a tetrahedron the step that carves it, so
+ *   that C_j lacks the tetrahedron for all j >= Step, for a triangle the first step at which it
+ *   shows, and for either -1 if there is no such step; `Region`, the same number for tetrahedra
+ *   that are connected by faces that are not of M, -1 for triangles; `SolidSides`, for a triangle 1
+ *   if the solid is behind it plus 2 if the solid is in front of it; `vtkOriginalCellIds` and the
+ *   input's cell data as above.
+ * - points: `vtkOriginalPointIds` and the input's point data as above.
+ * - field data: the settings under the names of the properties, and the columns of the profile
+ *   under their names after "Profile": `ProfileVertices` and so on (`ProfileError` only if errors
+ *   have been computed).
  *
- * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Tunnels` and `Voids` of K_i,
- * `Priority` (popped at that step), `Volume` (of K_i; never grows), `Error` (NaN unless asked for).
+ * vtkExtractCarvedLOD extracts any level from the stream.
  *
- * The field data of port 0 has a string array `Notes` if there is something the user should know.
+ * In enclosing mode (see Conformity), which is not in the paper, M need not be a union of faces.
+ * The triangles of M in the stream and on levels are then those faces that overlap a triangle of M
+ * in an area. The stream has all tetrahedra: the tetrahedra of the solid, and those that M pierces,
+ * have `Step` -1 and `Priority` NaN.
  *
- * Of the input's own arrays, those in cell and point data that have a name of the above are passed on under
- * another one, "Input" before it, which a note tells. Field data of such names, which an older carving may
- * have left, is dropped; all else is passed on to the three outputs.
+ * Columns of the profile: `Step`, `Vertices`, `Triangles`, `Components`, `Tunnels` and `Voids` of
+ * K_i, `Priority` (popped at that step), `Volume` (of K_i; never grows), `Error` (NaN unless asked
+ * for).
+ *
+ * The field data of port 0 has a string array `Notes` if there is something that the user should
+ * know.
+ *
+ * Arrays of the input's cell and point data that have one of the above names are renamed: they get
+ * "Input" in front of the name, and a note tells so. Field data with one of these names, which an
+ * older carving may have left, is dropped. All other arrays are passed on to the three outputs.
  *
  * **Helper program.** CGAL and TetGen run in a child process, carving-helper, so that no mesh can
- * take this process down and an abort takes effect at once. It is found next to the library or where
- * it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is kept. It
- * runs again only where that could differ:
- * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1 has changed;
- * - Conformity has, except from AUTO to EXACT for a mesh that was met, no attempt having reached a limit;
- * - EnclosingTolerance has, for a mesh that is enclosed only;
- * - SnapTolerance has, for a mesh that was snapped, or that AUTO has enclosed only;
- * - SolidRule has, for a mesh of which the first attempts failed;
- * - TimeLimit or MemoryLimit has, except raised where no attempt had reached a limit.
+ * crash this process, and an abort takes effect at once. The program is found next to the library,
+ * where it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is
+ * kept. The program runs again only after a change that could affect the result:
+ * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1;
+ * - Conformity, except from AUTO to EXACT if the mesh was not only enclosed and no attempt reached
+ *   a limit;
+ * - EnclosingTolerance, if the mesh is only enclosed;
+ * - SnapTolerance, if the mesh was snapped, or was only enclosed in AUTO mode;
+ * - SolidRule, if the first attempts failed;
+ * - TimeLimit or MemoryLimit, except if raised where no attempt reached a limit.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
- * input, in which the leaves are replaced by the levels (port 0: a block of blocks), the stream and
- * the profile of each.
+ * input. Each leaf is replaced by its levels (port 0: a block of blocks), its stream and its
+ * profile.
  *
- * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: input that is not
- * polygonal, a point that is not finite or has a coordinate above 1e38, a cell with a point that there is
- * not, a mesh that lies in one plane, a helper program that is missing, dies, gives up or reaches a limit.
- * README.md lists all messages.
+ * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: an input that is
+ * not polygonal, a point that is not finite or has a coordinate above 1e38, a cell with a point
+ * that does not exist, a mesh that lies in one plane, a helper program that is missing, dies, gives
+ * up or reaches a limit. README.md lists all messages.
  */
 #ifndef vtkTopologyCarver_h
 #define vtkTopologyCarver_h
@@ -110,9 +128,9 @@ public:
   vtkTypeMacro(vtkTopologyCarver, vtkCarverAlgorithm);
 
   /**
-   * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are equal have
-   * been merged. The helper program does the work. Returns -1 after an error, which is reported. The
-   * properties, inputs and outputs of the filter play no part.
+   * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are
+   * equal have been merged. The helper program does the work. Returns -1 after an error, which is
+   * reported. The properties, inputs and outputs of the filter play no part.
    */
   int CountIntersectingPairs(vtkPolyData* mesh);
 

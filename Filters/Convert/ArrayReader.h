@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arrays from files, which may hold anything.
+ * Reads and checks arrays of a grid, which may come from any file.
  */
 #ifndef ArrayReader_h
 #define ArrayReader_h
@@ -15,33 +15,33 @@
 class vtkDataSetAttributes;
 class vtkFieldData;
 
-/** What the entries of an array have to be. */
+/** The condition that all entries of an array must meet, in words and as a function. */
 struct Demand
 {
   std::string What;
   std::function<bool(double value, vtkIdType entry)> IsMet;
 };
 
-/** Integers between two that an `int` can hold. */
+/** Integers from one number to another, both included. */
 Demand IntegersFrom(int least, int greatest);
 
-/** Finite numbers that are not negative. */
+/** Finite numbers of at least 0. */
 Demand FiniteMeasures();
 
-/** Numbers that are not negative where `hasPriority(entry)`, and NaN elsewhere. */
+/** Numbers of at least 0 where `hasPriority(entry)` is true, and NaN elsewhere. */
 Demand Priorities(const std::function<bool(vtkIdType entry)>& hasPriority);
 
-/** Reads arrays up to the first one that is not as it has to be, and says what is wrong with that one. */
+/** Reads arrays up to the first invalid one, and describes the mistake in that one. */
 class ArrayReader
 {
 public:
-  /** Empty if nothing has been wrong. */
+  /** A description of the first mistake; empty if there is none. */
   const std::string& GetMistake() const
   {
     return this->Mistake;
   }
 
-  /** Reads an array of one number per tuple. */
+  /** Reads an array with one number per tuple; after a mistake, `values` is empty. */
   template <class Value>
   void Read(vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand,
     std::vector<Value>& values)
@@ -54,16 +54,16 @@ public:
     }
   }
 
-  /** The array if it is as it has to be, else null. */
+  /** Returns the array if it is valid and there has been no mistake before, else null. */
   vtkDataArray* Check(vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand);
 
-  /** Checks a text, for which an array of one string stands. */
+  /** Checks a text: an array of one string. */
   void CheckText(vtkFieldData* from, const char* name);
 
-  /** Checks the lengths of all arrays. */
+  /** Checks that every array has this number of tuples. */
   void CheckLengths(vtkDataSetAttributes* data, vtkIdType tuples);
 
-  /** Refuses an array, unless there has been a mistake before. */
+  /** Records a mistake in an array, unless there has been one before. */
   void Refuse(const char* name, const std::string& why);
 
 private:

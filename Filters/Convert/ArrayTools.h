@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Named arrays in one line.
+ * Makes named arrays in one line.
  */
 #ifndef ArrayTools_h
 #define ArrayTools_h

@@ -22,7 +22,10 @@ public:
   {
   }
 
-  /** Never loses a part: what has no proper triangulation becomes a fan. */
+  /**
+   * Returns triangles for the whole polygon. A polygon without a proper triangulation becomes a
+   * fan.
+   */
   vtkCellArray* Cut(vtkIdType size, const vtkIdType* corners)
   {
     this->Triangles->Reset();
@@ -51,7 +54,7 @@ public:
   }
 
 private:
-  /** Leaves out a corner that lies where the one before it does. */
+  /** Takes all corners, except those that coincide with the corner before. */
   void TakeDistinct(vtkIdType size, const vtkIdType* corners)
   {
     this->Corners->Reset();
@@ -98,34 +101,45 @@ std::string CarverInput::Gather(vtkPolyData* input)
   {
     input->GetPoint(i, this->Mesh.Points[i].data());
   }
-  const auto add = [this](vtkIdType cell, vtkCellArray* triangles)
-  {
-    for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
-    {
-      vtkIdType size;
-      const vtkIdType* corners;
-      triangles->GetCellAtId(i, size, corners);
-      this->Mesh.Triangles.push_back({ static_cast<int>(corners[0]), static_cast<int>(corners[1]),
-        static_cast<int>(corners[2]) });
-      this->CellIds.push_back(cell);
-    }
-  };
+  this->AddPolygons(input);
+  this->AddStrips(input);
+  return {};
+}
+
+void CarverInput::AddPolygons(vtkPolyData* input)
+{
   PolygonCutter cutter(input->GetPoints());
   VisitCells(input, { input->GetPolys() },
     [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-    { add(cell, cutter.Cut(size, corners)); });
-  vtkNew<vtkCellArray> ofStrip;
-  VisitCells(input, { input->GetStrips() },
-    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-    {
-      ofStrip->Reset();
-      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, ofStrip);
-      add(cell, ofStrip);
-    });
+    { this->AddTriangles(cell, cutter.Cut(size, corners)); });
   if (cutter.GetNumberOfFans() > 0)
   {
     this->Notes.push_back(std::to_string(cutter.GetNumberOfFans()) +
       " polygons cross themselves or have no area: they were cut into fans of triangles.");
   }
-  return {};
+}
+
+void CarverInput::AddStrips(vtkPolyData* input)
+{
+  vtkNew<vtkCellArray> triangles;
+  VisitCells(input, { input->GetStrips() },
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
+    {
+      triangles->Reset();
+      vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, triangles);
+      this->AddTriangles(cell, triangles);
+    });
+}
+
+void CarverInput::AddTriangles(vtkIdType cell, vtkCellArray* triangles)
+{
+  for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    triangles->GetCellAtId(i, size, corners);
+    this->Mesh.Triangles.push_back(
+      { static_cast<int>(corners[0]), static_cast<int>(corners[1]), static_cast<int>(corners[2]) });
+    this->CellIds.push_back(cell);
+  }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From vtkPolyData to the core's triangles.
+ * From vtkPolyData to the triangles of the core.
  */
 #ifndef CarverInput_h
 #define CarverInput_h
@@ -12,25 +12,31 @@
 #include <string>
 #include <vector>
 
+class vtkCellArray;
 class vtkPolyData;
 
 struct CarverInput
 {
   carving::TriangleMesh Mesh;
-  /** Per triangle of Mesh: the cell of the vtkPolyData that it comes from. */
+  /** For each triangle of Mesh, its cell of the vtkPolyData. */
   std::vector<vtkIdType> CellIds;
-  /** For the user: what was passed over or cut in an unusual way. */
+  /** Sentences for the user on cells that were ignored, or cut in an unusual way. */
   std::vector<std::string> Notes;
 
   /**
-   * Triangulates polygons and strips; passes over vertices, lines, and ghost and hidden cells.
-   * Returns an empty string, or an error of CheckCells.
+   * Triangulates polygons and strips. Ignores vertices, lines, and ghost and hidden cells. Returns
+   * an empty string, or an error of CheckCells.
    */
   std::string Gather(vtkPolyData* input);
   bool IsEmpty() const
   {
     return this->Mesh.Triangles.empty();
   }
+
+private:
+  void AddPolygons(vtkPolyData* input);
+  void AddStrips(vtkPolyData* input);
+  void AddTriangles(vtkIdType cell, vtkCellArray* triangles);
 };
 
 #endif

@@ -13,10 +13,10 @@ using namespace carving;
 namespace
 {
 
-/** How far from the plane a point may be, as a share of the diagonal. */
+/** The distance from the plane that a point may have, as a share of the diagonal. */
 constexpr double PlaneTolerance = 1e-6;
 
-/** The points that edges use, in their order. */
+/** The points that edges use, ascending. */
 std::vector<int> UsedPoints(const ContourSet& contours)
 {
   std::vector<int> used;
@@ -30,7 +30,7 @@ std::vector<int> UsedPoints(const ContourSet& contours)
   return used;
 }
 
-/** From the first point to the one for which a measure of that vector is the greatest. */
+/** The vector from the first point to another for which a measure of the vector is greatest. */
 template <class Measure>
 Point FarthestFromFirst(const std::vector<Point>& points, const Measure& measure)
 {
@@ -48,7 +48,8 @@ Point FindNormal(const std::vector<Point>& points)
   const Point across =
     FarthestFromFirst(points, [&](const Point& v) { return Length(Cross(along, v)); });
   Point normal = Cross(along, across);
-  if (Length(normal) == 0.0) // on a line: of the planes through it the one closest to an axis
+  if (Length(normal) ==
+    0.0) // on a line: take the plane through it whose normal is closest to an axis
   {
     Point axis = { 0.0, 0.0, 0.0 };
     const auto least = std::min_element(
@@ -111,12 +112,17 @@ std::string ContourInput::GatherEdges(vtkPolyData* input)
   {
     input->GetPoint(i, this->Contours.Points[i].data());
   }
-  return this->IsEmpty() ? std::string() : this->Rotate();
+  const std::string outOfPlane = this->IsEmpty() ? "" : this->CheckPlane();
+  if (outOfPlane.empty())
+  {
+    this->PermuteAxes();
+  }
+  return outOfPlane;
 }
 
-std::string ContourInput::Rotate()
+std::string ContourInput::CheckPlane()
 {
-  std::vector<Point>& points = this->Contours.Points;
+  const std::vector<Point>& points = this->Contours.Points;
   const std::vector<int> used = UsedPoints(this->Contours);
   Plane& plane = this->Common;
   const bool given = plane.Known;
@@ -143,20 +149,24 @@ std::string ContourInput::Rotate()
       return message.str();
     }
   }
+  return {};
+}
+
+void ContourInput::PermuteAxes()
+{
   this->Axis = 2;
   for (const int axis : { 1, 0 })
   {
-    if (std::abs(plane.Normal[axis]) > std::abs(plane.Normal[this->Axis]))
+    if (std::abs(this->Common.Normal[axis]) > std::abs(this->Common.Normal[this->Axis]))
     {
       this->Axis = axis;
     }
   }
-  // A cyclic permutation keeps orientation.
-  for (Point& p : points)
+  // A cyclic permutation keeps the orientation.
+  for (Point& p : this->Contours.Points)
   {
     p = { p[(this->Axis + 1) % 3], p[(this->Axis + 2) % 3], p[this->Axis] };
   }
-  return {};
 }
 
 void ContourInput::Restore(std::vector<Point>& points) const

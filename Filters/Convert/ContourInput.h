@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From vtkPolyData to the core's edges in the plane of the first two coordinates.
+ * From vtkPolyData to the edges of the core, in the plane of the first two coordinates.
  */
 #ifndef ContourInput_h
 #define ContourInput_h
@@ -17,28 +17,28 @@ class vtkPolyData;
 struct ContourInput
 {
   /**
-   * The coordinates have been rotated: the last axis is the one closest to the plane's normal.
+   * The edges. Coordinates are permuted: the last axis is the one closest to the plane's normal.
    */
   carving::ContourSet Contours;
-  /** Per edge of Contours: the cell of the vtkPolyData that it comes from. */
+  /** For each edge of Contours, its cell of the vtkPolyData. */
   std::vector<vtkIdType> CellIds;
-  /** For the user: what was passed over. */
+  /** Sentences for the user on cells that were ignored. */
   std::vector<std::string> Notes;
 
   /**
-   * Takes the edges of polylines and of the boundaries of polygons; passes over vertices, strips, and
-   * ghost and hidden cells. Returns an empty string, or an error: one of CheckCells, or a point of an
-   * edge that is not in the plane of the others.
+   * Takes the edges of polylines and of the boundaries of polygons. Ignores vertices, strips, and
+   * ghost and hidden cells. Returns an empty string, or an error: one of CheckCells, or a point of
+   * an edge that is not in the plane of the other points.
    */
   std::string Gather(vtkPolyData* input);
-  /** The same for edges that have to lie in the plane of those of another input, if that has any. */
+  /** The same for edges that must lie in the plane of another input, if that has any edges. */
   std::string GatherInPlaneOf(const ContourInput& other, vtkPolyData* input);
   bool IsEmpty() const
   {
     return this->Contours.Edges.empty();
   }
 
-  /** Rotates the coordinates of points back to those of the vtkPolyData. */
+  /** Restores the order of coordinates that the vtkPolyData has. */
   void Restore(std::vector<carving::Point>& points) const;
 
 private:
@@ -51,10 +51,13 @@ private:
   };
 
   std::string GatherEdges(vtkPolyData* input);
-  std::string Rotate();
+  /** Finds the plane unless it is known. Returns an error if a point is too far from the plane. */
+  std::string CheckPlane();
+  /** Moves the axis closest to the plane's normal to the last place. */
+  void PermuteAxes();
 
   Plane Common;
-  int Axis = 2; ///< closest to the normal
+  int Axis = 2; ///< the axis closest to the normal
 };
 
 #endif

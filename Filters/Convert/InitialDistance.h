@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Depth as a distance (section 5.3).
+ * The depth of cells as a distance (section 5.3).
  */
 #ifndef InitialDistance_h
 #define InitialDistance_h
@@ -11,8 +11,8 @@
 #include <vector>
 
 /**
- * Per cell the distance of its centroid from the surface of the initial approximation, at least
- * a billionth of the points' diagonal, so that it can be divided by.
+ * For each cell, the distance of its centroid from the surface of the initial approximation. The
+ * distance is at least a billionth of the points' diagonal, since priorities are divided by it.
  */
 template <int D>
 std::vector<double> ComputeInitialDistances(const carving::Decomposition<D>& mesh);

@@ -10,11 +10,14 @@
 namespace
 {
 
-/** What is computed of coordinates is of the eighth degree at most. */
+/**
+ * Bounds that keep all computed terms finite: the terms are of degree eight at most in the
+ * coordinates.
+ */
 constexpr double LargestCoordinate = 1e38;
 constexpr double SmallestDiagonal = 1e-38;
 
-/** The points that cells use, or an error. */
+/** Marks the points that cells use. Returns an empty string, or an error. */
 std::string FindUsed(
   vtkPolyData* input, std::initializer_list<vtkCellArray*> cells, std::vector<char>& used)
 {
@@ -47,6 +50,30 @@ std::string DescribePoint(vtkIdType id, const carving::Point& p)
   return text.str();
 }
 
+std::string CheckPoint(vtkIdType id, const carving::Point& p)
+{
+  if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
+  {
+    return DescribePoint(id, p) + "coordinates must be finite. Remove the cells that use it.";
+  }
+  if (std::any_of(p.begin(), p.end(), [](double x) { return std::abs(x) > LargestCoordinate; }))
+  {
+    return DescribePoint(id, p) +
+      "coordinates must not be beyond 1e38. Remove the cells that use it, or scale the input.";
+  }
+  return {};
+}
+
+std::string CheckDiagonal(const std::vector<carving::Point>& points)
+{
+  carving::Point lower, upper;
+  carving::GetBounds(points, lower, upper);
+  const double diagonal = std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
+  return diagonal > 0.0 && diagonal < SmallestDiagonal
+    ? "The input's diagonal is shorter than 1e-38. Scale the input."
+    : "";
+}
+
 } // namespace
 
 std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> cells)
@@ -64,33 +91,17 @@ std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> 
   std::vector<carving::Point> points;
   for (vtkIdType i = 0; i < static_cast<vtkIdType>(used.size()); ++i)
   {
-    if (!used[i])
+    if (used[i])
     {
-      continue;
-    }
-    carving::Point p;
-    input->GetPoint(i, p.data());
-    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
-    {
-      return DescribePoint(i, p) + "coordinates must be finite. Remove the cells that use it.";
-    }
-    if (std::any_of(p.begin(), p.end(), [](double x) { return std::abs(x) > LargestCoordinate; }))
-    {
-      return DescribePoint(i, p) +
-        "coordinates must not be beyond 1e38. Remove the cells that use it, or scale the input.";
-    }
-    points.push_back(p);
-  }
-  if (!points.empty())
-  {
-    carving::Point lower, upper;
-    carving::GetBounds(points, lower, upper);
-    const double diagonal =
-      std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
-    if (diagonal > 0.0 && diagonal < SmallestDiagonal)
-    {
-      return "The input's diagonal is shorter than 1e-38. Scale the input.";
+      carving::Point p;
+      input->GetPoint(i, p.data());
+      const std::string invalid = CheckPoint(i, p);
+      if (!invalid.empty())
+      {
+        return invalid;
+      }
+      points.push_back(p);
     }
   }
-  return {};
+  return points.empty() ? "" : CheckDiagonal(points);
 }

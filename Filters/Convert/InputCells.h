@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The cells of a vtkPolyData that are there for the user: neither ghosts nor hidden.
+ * The visible cells of a vtkPolyData: neither ghosts nor hidden cells.
  */
 #ifndef InputCells_h
 #define InputCells_h
@@ -15,7 +15,10 @@
 #include <initializer_list>
 #include <string>
 
-/** Calls `visit(id, number of corners, corners)` for the cells of some of a vtkPolyData's arrays. */
+/**
+ * Calls `visit(id, number of corners, corners)` for the visible cells in the `wanted` arrays of the
+ * input.
+ */
 template <class Visit>
 void VisitCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> wanted, const Visit& visit)
 {
@@ -43,8 +46,9 @@ void VisitCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> wanted,
 }
 
 /**
- * Why these cells cannot be carved, or an empty string: more than 32-bit integers count, a cell with a
- * point that there is not, a coordinate that is not finite, or coordinates whose products are not.
+ * Returns an empty string, or the reason why these cells cannot be carved: their number exceeds
+ * 32-bit integers, a cell has a point that does not exist, a coordinate is not finite, or products
+ * of coordinates are not finite.
  */
 std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> cells);
 

@@ -36,7 +36,7 @@ void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes
   to->CopyData(from, ids, all);
 }
 
-/** Betti numbers of the closed complex, or what stands for unknown. */
+/** Betti numbers of the closed complex; -1 means unknown. */
 struct ClosedTopology
 {
   int Components = -1;
@@ -57,7 +57,7 @@ void FillTopology(const ClosedTopology& closed, int dimension,
   }
 }
 
-/** Without a cut a surface need not be a manifold, which has a genus. */
+/** A surface that has not been cut need not be a manifold; then it has no genus. */
 carving::SurfaceTopology MeasureLevel(const carving::ManifoldLevel<3>& level, bool manifold)
 {
   return manifold ? carving::MeasureSurface(level)
@@ -90,6 +90,123 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
     profile.Error.empty() ? std::numeric_limits<double>::quiet_NaN() : profile.Error[step]);
 }
 
+/**
+ * Returns the number of vertices that are not vertices of the input; copies of a point count once.
+ */
+template <int D>
+int FillPoints(const carving::ResolvedInput<D>& resolved, const std::vector<int>& ids,
+  vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(ids.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkIdList> pointIds;
+  pointIds->SetNumberOfIds(count);
+  vtkDataArray* moved = grid->GetFieldData()->HasArray(StreamArrays::SnapDistance)
+    ? grid->GetPointData()->GetArray(StreamArrays::SnapDistance)
+    : nullptr;
+  int newVertices = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const int point = ids[i];
+    points->SetPoint(i, resolved.Points[point].data());
+    pointIds->SetId(i, point);
+    const bool first = i == 0 || ids[i - 1] != point; // copies of a point are neighbors
+    newVertices +=
+      first && (resolved.PointSources[point] < 0 || (moved && moved->GetTuple1(point) > 0.0));
+  }
+  output->SetPoints(points);
+  CopyTuples(grid->GetPointData(), pointIds, output->GetPointData());
+  return newVertices;
+}
+
+/** A face of M has the data of its facet, a carved face those of the cell behind it. */
+template <int D>
+void FillFaces(const std::vector<std::array<int, D>>& corners,
+  const std::vector<carving::FaceLife<D>>& faces, vtkIdType numberOfCells,
+  vtkUnstructuredGrid* grid, vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(corners.size());
+  vtkNew<vtkIdTypeArray> connectivity;
+  connectivity->SetNumberOfValues(D * count);
+  vtkIdType* to = connectivity->GetPointer(0);
+  vtkNew<vtkIdList> cellIds;
+  cellIds->SetNumberOfIds(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    to = std::copy(corners[i].begin(), corners[i].end(), to);
+    const carving::FaceLife<D>& face = faces[i];
+    cellIds->SetId(i,
+      face.Constraint >= 0 ? numberOfCells + face.Constraint
+                           : carving::HalfFace<D>::Cell(face.Behind));
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(D, connectivity);
+  if (D == 3)
+  {
+    output->SetPolys(cells);
+  }
+  else
+  {
+    output->SetLines(cells);
+  }
+  for (const char* name : { StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides })
+  {
+    output->GetCellData()->CopyFieldOff(name); // of the stream only
+  }
+  CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
+}
+
+/** Fills the points of M as given. */
+void FillInputPoints(
+  const carving::ResolvedMesh& mesh, vtkPointData* inputData, vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size());
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  vtkNew<vtkIdList> ids;
+  auto originals = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    points->SetPoint(i, mesh.Points[i].data());
+    ids->InsertNextId(mesh.PointSources[i]);
+    originals->SetValue(i, mesh.PointSources[i]);
+  }
+  output->SetPoints(points);
+  CopyTuples(inputData, ids, output->GetPointData());
+  output->GetPointData()->AddArray(originals);
+}
+
+/** Fills the triangles of M as given. */
+void FillInputFaces(const carving::ResolvedMesh& mesh, const std::vector<vtkIdType>& cellIds,
+  vtkCellData* inputData, vtkPolyData* output)
+{
+  const vtkIdType count = static_cast<vtkIdType>(mesh.Facets.size());
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkCellArray> polys;
+  auto originals = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, count);
+  auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, count);
+  auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, count);
+  priority->Fill(std::numeric_limits<double>::quiet_NaN());
+  depth->Fill(0.0);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto& [a, b, c] = mesh.Facets[i];
+    polys->InsertNextCell({ a, b, c });
+    const vtkIdType original = cellIds[mesh.FacetSources[i]];
+    ids->InsertNextId(original);
+    originals->SetValue(i, original);
+  }
+  output->SetPolys(polys);
+  CopyTuples(inputData, ids, output->GetCellData());
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ priority, depth, originals })
+  {
+    output->GetCellData()->AddArray(array);
+  }
+}
+
 } // namespace
 
 template <int D>
@@ -99,62 +216,11 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   const int step = level.Step;
   const carving::ManifoldLevel<D> cut =
     manifold ? carving::CutIntoManifold(stream, level) : carving::KeepUncut(level);
-
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(cut.Points.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(numberOfPoints);
-  vtkNew<vtkIdList> pointIds;
-  pointIds->SetNumberOfIds(numberOfPoints);
-  vtkDataArray* moved = grid->GetFieldData()->HasArray(StreamArrays::SnapDistance)
-    ? grid->GetPointData()->GetArray(StreamArrays::SnapDistance)
-    : nullptr;
-  int newVertices = 0;
-  for (vtkIdType i = 0; i < numberOfPoints; ++i)
-  {
-    const int point = cut.Points[i];
-    points->SetPoint(i, stream.Mesh.Surface.Points[point].data());
-    pointIds->SetId(i, point);
-    // Copies of a point that cutting made lie side by side and count once.
-    const bool first = i == 0 || cut.Points[i - 1] != point;
-    newVertices += first &&
-      (stream.Mesh.Surface.PointSources[point] < 0 || (moved && moved->GetTuple1(point) > 0.0));
-  }
-
-  const vtkIdType numberOfFaces = static_cast<vtkIdType>(cut.Faces.size());
-  const vtkIdType firstFacet = static_cast<vtkIdType>(stream.Mesh.Cells.size());
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(D * numberOfFaces);
-  vtkIdType* to = connectivity->GetPointer(0);
-  vtkNew<vtkIdList> cellIds; // a carved face has the data of the cell behind it
-  cellIds->SetNumberOfIds(numberOfFaces);
-  for (vtkIdType i = 0; i < numberOfFaces; ++i)
-  {
-    to = std::copy(cut.Faces[i].begin(), cut.Faces[i].end(), to);
-    const carving::FaceLife<D>& face = level.Faces[i];
-    cellIds->SetId(i,
-      face.Constraint >= 0 ? firstFacet + face.Constraint
-                           : carving::HalfFace<D>::Cell(face.Behind));
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(D, connectivity);
-  output->SetPoints(points);
-  if (D == 3)
-  {
-    output->SetPolys(cells);
-  }
-  else
-  {
-    output->SetLines(cells);
-  }
-  CopyTuples(grid->GetPointData(), pointIds, output->GetPointData());
-  for (const char* name : { StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides })
-  {
-    output->GetCellData()->CopyFieldOff(name); // what only a stream has
-  }
-  CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
-
-  FillFieldData(profile, step, "carved", newVertices, numberOfFaces, grid, output->GetFieldData());
+  const int newVertices = FillPoints<D>(stream.Mesh.Surface, cut.Points, grid, output);
+  FillFaces<D>(
+    cut.Faces, level.Faces, static_cast<vtkIdType>(stream.Mesh.Cells.size()), grid, output);
+  FillFieldData(profile, step, "carved", newVertices, static_cast<vtkIdType>(cut.Faces.size()),
+    grid, output->GetFieldData());
   FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, D,
     MeasureLevel(cut, manifold), output->GetFieldData());
 }
@@ -163,50 +229,18 @@ void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& p
   vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,
   vtkPolyData* output)
 {
-  const vtkIdType numberOfPoints = static_cast<vtkIdType>(mesh.Points.size());
-  const vtkIdType numberOfFaces = static_cast<vtkIdType>(mesh.Facets.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(numberOfPoints);
-  vtkNew<vtkIdList> pointIds, faceIds;
-  auto originalPoints = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, numberOfPoints);
-  for (vtkIdType i = 0; i < numberOfPoints; ++i)
-  {
-    points->SetPoint(i, mesh.Points[i].data());
-    pointIds->InsertNextId(mesh.PointSources[i]);
-    originalPoints->SetValue(i, mesh.PointSources[i]);
-  }
-  vtkNew<vtkCellArray> polys;
-  auto originalCells = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, numberOfFaces);
-  auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, numberOfFaces);
-  auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, numberOfFaces);
-  priority->Fill(std::numeric_limits<double>::quiet_NaN());
-  depth->Fill(0.0);
-  for (vtkIdType i = 0; i < numberOfFaces; ++i)
-  {
-    const auto& [a, b, c] = mesh.Facets[i];
-    polys->InsertNextCell({ a, b, c });
-    const vtkIdType original = cellIds[mesh.FacetSources[i]];
-    faceIds->InsertNextId(original);
-    originalCells->SetValue(i, original);
-  }
-  output->SetPoints(points);
-  output->SetPolys(polys);
-  CopyTuples(input->GetPointData(), pointIds, output->GetPointData());
-  CopyTuples(input->GetCellData(), faceIds, output->GetCellData());
-  output->GetPointData()->AddArray(originalPoints);
-  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ priority, depth, originalCells })
-  {
-    output->GetCellData()->AddArray(array);
-  }
-  FillFieldData(
-    profile, profile.LastStep(), "input", 0, numberOfFaces, grid, output->GetFieldData());
-  AddFieldValue<vtkIdTypeArray>(output->GetFieldData(), LevelArrays::Vertices, numberOfPoints);
+  FillInputPoints(mesh, input->GetPointData(), output);
+  FillInputFaces(mesh, cellIds, input->GetCellData(), output);
+  vtkFieldData* fieldData = output->GetFieldData();
+  FillFieldData(profile, profile.LastStep(), "input", 0, static_cast<vtkIdType>(mesh.Facets.size()),
+    grid, fieldData);
+  AddFieldValue<vtkIdTypeArray>(
+    fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(mesh.Points.size()));
   if (!profile.Error.empty())
   {
-    AddFieldValue<vtkDoubleArray>(output->GetFieldData(), LevelArrays::Error, 0.0);
+    AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, 0.0);
   }
-  FillTopology({}, 3, { -1, -1 }, output->GetFieldData());
+  FillTopology({}, 3, { -1, -1 }, fieldData);
 }
 
 template void FillLevel<2>(const carving::StoredStream<2>&, const carving::Profile&,

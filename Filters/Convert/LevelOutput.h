@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a stored stream to a level as polygonal data; the filters' headers document its arrays.
+ * From a stored stream to a level as polygonal data. vtkTopologyCarver.h documents the arrays.
  */
 #ifndef LevelOutput_h
 #define LevelOutput_h
@@ -16,14 +16,16 @@
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-/** `grid` is the stream as FillStream wrote it: attributes come from there. */
+/**
+ * Fills a level. `grid` is the stream as FillStream has written it; the attributes come from there.
+ */
 template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
   vtkUnstructuredGrid* grid, const carving::Level<D>& level, bool manifold, vtkPolyData* output);
 
 /**
- * M as given, as a last level, where it is enclosed only; `cellIds` has the cell of `input` for every
- * triangle that the helper program was given.
+ * Fills a level with M as given, for a mesh that is only enclosed. `cellIds` has the cell of
+ * `input` for each triangle that the helper program was given.
  */
 void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
   vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,

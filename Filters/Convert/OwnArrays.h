@@ -15,15 +15,15 @@ class vtkFieldData;
 class vtkPolyData;
 
 /**
- * Renames cell and point arrays whose names the outputs use, and adds a note about them. Returns the input
- * itself if it has no such arrays, else a copy that shares all other data with the input.
+ * Renames cell and point arrays whose names the outputs use, and adds a note about them. Returns
+ * the input itself if it has no such arrays, else a copy that shares all other data with the input.
  */
 vtkSmartPointer<vtkPolyData> RenameForeignArrays(
   vtkPolyData* input, std::vector<std::string>& notes);
 
 /**
- * Removes the field data that a carving writes, including the arrays that have the names of `settings`. After
- * an older carving, such data no longer holds.
+ * Removes the field data that a carving writes, including the arrays that have the names of
+ * `settings`. After an older carving, such data no longer holds.
  */
 void RemoveOwnFieldData(vtkFieldData* fieldData, vtkFieldData* settings);
 

@@ -19,7 +19,9 @@ int GetStreamDimension(vtkUnstructuredGrid* grid);
 /** Reads the profile. Returns an empty string, or a description of the first mistake. */
 std::string ReadProfile(vtkUnstructuredGrid* grid, carving::Profile& profile);
 
-/** Reads the profile with a reader that collects mistakes. Returns the measure of its priorities. */
+/**
+ * Reads the profile with a reader that collects mistakes. Returns the measure of its priorities.
+ */
 carving::PriorityMeasure ReadProfile(
   vtkUnstructuredGrid* grid, ArrayReader& reader, carving::Profile& profile);
 

@@ -64,7 +64,10 @@ bool AreCellsValid(vtkUnstructuredGrid* grid)
     types->GetNumberOfValues() == grid->GetNumberOfCells() && grid->GetCells()->IsValid();
 }
 
-/** The cells of the complement, then the facets of M. Returns an empty string, or a description of the mistake. */
+/**
+ * The cells of the complement, then the facets of M. Returns an empty string, or a description of
+ * the mistake.
+ */
 template <int D>
 std::string ReadCells(vtkUnstructuredGrid* grid, carving::Decomposition<D>& mesh)
 {
@@ -188,7 +191,9 @@ std::string ReadArrays(
   return carving::Connect(stream, solidSides) ? "" : "its cells do not fit together.";
 }
 
-/** Compares the counts of the profile with the cells. Returns an empty string, or the first mistake. */
+/**
+ * Compares the counts of the profile with the cells. Returns an empty string, or the first mistake.
+ */
 template <int D>
 std::string CheckCounts(const carving::StoredStream<D>& stream, const carving::Profile& profile)
 {

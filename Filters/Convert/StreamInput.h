@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From the unstructured grid of port 1 back to a stored stream.
+ * From the unstructured grid of output port 1 back to a stored stream.
  */
 #ifndef StreamInput_h
 #define StreamInput_h
@@ -14,8 +14,8 @@
 class vtkUnstructuredGrid;
 
 /**
- * Fills what levels need; `Mesh.Surface` lacks what only resolving uses. Returns an empty string, or
- * what is wrong with the grid: something else than an unchanged stream.
+ * Reads all that levels need. Members of `Mesh.Surface` that only resolving uses stay empty.
+ * Returns an empty string, or the first reason why the grid is not an unchanged stream.
  */
 template <int D>
 std::string ReadStream(

@@ -34,18 +34,18 @@ using carving::StoredStream;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/** Never is -1 in the output. */
+/** Stream::Never is -1 in the output. */
 int StepForUser(int step)
 {
   return step == carving::Stream::Never ? -1 : step;
 }
 
-/** Data of the points that resolving or TetGen made: as at the closest point of the input. */
+/** Gives points that resolving or TetGen made the data of the closest point of the input. */
 template <int D>
 void InterpolateNewPoints(
   const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkPointData* output)
 {
-  vtkNew<vtkPolyData> surface; // without vertices and, in space, lines: they bound nothing
+  vtkNew<vtkPolyData> surface; // without cells that bound nothing: vertices and, in space, lines
   surface->SetPoints(input->GetPoints());
   surface->SetPolys(input->GetPolys());
   surface->SetStrips(input->GetStrips());
@@ -53,7 +53,8 @@ void InterpolateNewPoints(
   {
     surface->SetLines(input->GetLines());
   }
-  // Of equally close cells the same one every time; vtkStaticCellLocator's order depends on its threads.
+  // Deterministic for equally close cells; the order of vtkStaticCellLocator depends on its
+  // threads.
   vtkNew<vtkCellLocator> locator;
   locator->SetDataSet(surface);
   locator->BuildLocator();
@@ -71,7 +72,7 @@ void InterpolateNewPoints(
     locator->FindClosestPoint(points.Points[i].data(), closest, cell, cellId, subId, distance);
     if (cellId < 0)
     {
-      continue; // all cells are too thin to tell
+      continue; // all cells are degenerate
     }
     surface->GetCell(cellId, cell);
     cell->EvaluatePosition(closest, onCell, subId, parametric, distance, weights.data());
@@ -81,8 +82,9 @@ void InterpolateNewPoints(
 }
 
 /**
- * Adds the arrays of ids, which VTK leaves out where it interpolates or cuts, as plain arrays: what has
- * been cut is not unique. `source(i)` is the place of entry i in the input, or -1, which gets the id -1.
+ * Adds the arrays of ids, which VTK omits when it interpolates, as plain arrays, since several
+ * parts of a cell can have the same id. `source(i)` is the index in the input of entry i, or -1;
+ * then the id is -1.
  */
 template <class Source>
 void AddIdArrays(
@@ -153,7 +155,7 @@ void FillPoints(
     input->GetPointData(), count, [&](vtkIdType i) { return points.PointSources[i]; }, pointData);
   output->SetPoints(coordinates);
   pointData->AddArray(ids);
-  if (anyMoved && D == 3) // contours are put back into their own plane
+  if (anyMoved && D == 3) // restoring the plane of contours may move their points, too
   {
     pointData->AddArray(distances);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * From a stored stream to the data objects of the ports 1 and 2. The filters' headers document their
- * arrays.
+ * From a stored stream to the data objects of the output ports 1 and 2. vtkTopologyCarver.h
+ * documents the arrays.
  */
 #ifndef StreamOutput_h
 #define StreamOutput_h
@@ -19,8 +19,9 @@ class vtkTable;
 class vtkUnstructuredGrid;
 
 /**
- * `cellIds` has the cell of `input` for every facet that the helper program was given. The field data
- * gets the profile and what the stream says of itself; the caller adds the other settings.
+ * Fills the grid with a stream. `cellIds` has the cell of `input` for each facet that the helper
+ * program was given. The field data get the profile and the settings that are members of the
+ * stream; the caller adds the other settings.
  */
 template <int D>
 void FillStream(const carving::StoredStream<D>& stream, const carving::Profile& profile,

@@ -21,7 +21,7 @@ std::string GetName(vtkInformation* metaData)
 bool GetChildren(vtkDataObject* composite, std::vector<CompositeChild>& children)
 {
   children.clear();
-  // HasMetaData is asked first: GetMetaData would add some to the input.
+  // GetMetaData alone would add metadata to the input.
   if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(composite))
   {
     for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)

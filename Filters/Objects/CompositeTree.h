@@ -14,17 +14,17 @@ class vtkMultiBlockDataSet;
 
 struct CompositeChild
 {
-  vtkDataObject* Data; ///< null where the composite has a null child
-  std::string Name;    ///< empty if it has none
+  vtkDataObject* Data; ///< null for a null child
+  std::string Name;    ///< empty if the child has no name
 };
 
 /**
- * Fills `children` with blocks, pieces, partitions or partitioned data sets. Returns false for a
- * composite that is not a tree of those (AMR, say).
+ * Fills `children` with the blocks, pieces, partitions or partitioned data sets of a composite.
+ * Returns false for a composite without such children, AMR data for example.
  */
 bool GetChildren(vtkDataObject* composite, std::vector<CompositeChild>& children);
 
-/** Names a block, unless the name is empty. */
+/** Gives a block its name, unless the name is empty. */
 void SetBlockName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name);
 
 #endif

@@ -10,8 +10,9 @@
 #include "vtkWeakPointer.h"
 
 /**
- * Identifies a data object and its state without keeping the object alive. A time stamp alone does not identify
- * an object: two objects that share their points have the same stamp if the points are the newest part of both.
+ * Identifies a data object and its state without keeping the object alive. A time stamp alone does
+ * not identify an object: two objects that share their points have the same stamp if the points are
+ * the newest part of both.
  */
 class DataVersion
 {

@@ -22,7 +22,7 @@
 namespace
 {
 
-/** What a node of a tree is; of different answers of the processes the greatest holds. */
+/** The kind of a node of a tree. If processes disagree, the greatest value holds. */
 enum NodeKind
 {
   NoData,
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   for (const auto& part : parts)
   {
     auto* mesh = vtkPolyData::SafeDownCast(part);
-    if (mesh && mesh->GetNumberOfCells() > 0) // an empty one would drop the others' arrays
+    if (mesh && mesh->GetNumberOfCells() > 0) // an empty mesh would remove the arrays of the others
     {
       append->AddInputData(mesh);
     }
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   return append->GetOutput();
 }
 
-/** Writes the numeric arrays; of texts, other processes have no need. */
+/** Writes the numeric arrays. Other processes do not need texts. */
 void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
 {
   for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
@@ -71,7 +71,7 @@ void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
   }
 }
 
-/** Reads arrays as long as there are any. */
+/** Reads arrays up to the end of the stream. */
 void ReadNumbers(vtkMultiProcessStream& stream, vtkFieldData* fieldData)
 {
   while (!stream.Empty())
@@ -120,7 +120,7 @@ std::vector<int> ObjectExchange::All(int value) const
   return all;
 }
 
-/** The text of the first process that has one. */
+/** The text of the first process whose text is not empty. */
 std::string ObjectExchange::First(const std::string& text) const
 {
   const std::vector<int> lengths = this->All(static_cast<int>(text.size()));
@@ -159,7 +159,7 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node, i
     case Leaf:
     {
       auto* mesh = vtkPolyData::SafeDownCast(node);
-      // What cannot be carved is left to the process that has it.
+      // Data that cannot be carved stays where it is; its process reports an error.
       const bool foreign = this->Largest(node && !mesh) != 0;
       return foreign ? vtkSmartPointer<vtkDataObject>(node)
                      : this->GatherLeaf(mesh, numberOfMerged);

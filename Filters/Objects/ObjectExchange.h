@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Between the processes of a parallel run: every object whole on one of them, the same tree on all.
+ * The exchange between the processes of a parallel run. An object is the input, or a leaf of a
+ * composite input. Every object is whole on one process, and all processes have the same tree.
  */
 #ifndef ObjectExchange_h
 #define ObjectExchange_h
@@ -16,7 +17,7 @@ class vtkDataObject;
 class vtkMultiProcessController;
 class vtkPolyData;
 
-/** All processes have to call the same functions in the same order. */
+/** All processes must call the same functions in the same order. */
 class ObjectExchange
 {
 public:
@@ -31,27 +32,31 @@ public:
   bool IsTrueOnAll(bool here) const;
 
   /**
-   * The input as the process is to carve it: for a polydata, that or an empty one, for a composite of
-   * them a tree with null leaves. An object that only one process has stays there; one that is spread
-   * is merged on the lowest of those that have a part of it, and counted in `numberOfMerged` there. An
-   * object that none of them has changed is given as before, with the same time stamp.
+   * Returns the input that this process carves. For a polydata, that is the polydata or an empty
+   * one; for a composite, a tree with null leaves. An object of a single process stays there. An
+   * object that is spread over several processes is merged on the lowest of these, which counts it
+   * in `numberOfMerged`. An object that no process has changed is the same as before, with the same
+   * time stamp.
    */
   vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, int& numberOfMerged);
 
-  /** All parts of a mesh, on every process; the same as before if no process has changed its part. */
+  /**
+   * Returns all parts of a mesh, on every process; the same object as before if no part has
+   * changed.
+   */
   vtkSmartPointer<vtkPolyData> GatherOnAll(vtkPolyData* mesh);
 
   /**
-   * Gives the trees of all processes the same blocks and names, null where another process has the
-   * data, except that grids and tables become empty ones with the field data of the other process, so
-   * that all know about the stream.
+   * Gives the output trees of all processes the same blocks and names. Where another process has a
+   * grid or a table, this process gets an empty one with the same field data, so that every process
+   * knows the stream. Where another process has any other data, this process gets null.
    */
   void Match(vtkDataObject* output);
 
 private:
   struct Merged
   {
-    DataVersion Given; ///< the part that this process gave
+    DataVersion Given; ///< the part of this process
     vtkSmartPointer<vtkPolyData> Mesh;
   };
 
@@ -63,7 +68,7 @@ private:
   void MatchFieldData(vtkDataObject* leaf);
 
   vtkMultiProcessController* Controller = nullptr;
-  std::vector<Merged> Cache; ///< one entry for each leaf, in the order of the tree
+  std::vector<Merged> Cache; ///< an entry for each leaf, in the order of the tree
   std::size_t NextLeaf = 0;
   Merged OnAll;
 };

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <memory>
 
-// A symbol with a name that the dynamic linker can look up, to find the library it is in.
+// A symbol by which the dynamic linker finds this library.
 extern "C" VTKTOPOLOGYCARVING_EXPORT void TopologyCarvingLibraryAnchor()
 {
 }
@@ -28,7 +28,10 @@ bool IsProgram(const std::string& path)
     vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_EXECUTE);
 }
 
-/** The helper's path; empty if there is none, and then `error` says where it was looked for. */
+/**
+ * The path of the helper program; empty if there is none. Then `error` lists the places that were
+ * searched.
+ */
 std::string FindHelper(std::string& error)
 {
   std::string named;
@@ -60,7 +63,10 @@ std::string FindHelper(std::string& error)
   return {};
 }
 
-/** Splits what the helper writes on standard error into progress and words for the user. */
+/**
+ * Splits the lines that the helper program writes to standard error into progress and words for the
+ * user.
+ */
 class Listener
 {
 public:
@@ -97,7 +103,7 @@ public:
     return !this->Observe || this->Observe(this->Stage, this->Fraction);
   }
 
-  /** Where it was, the last that it said and what to do, as an end to an error message. */
+  /** The end of an error message: the stage of the work, and the last words of the program. */
   std::string LastWords()
   {
     this->Keep();
@@ -132,7 +138,10 @@ private:
   std::string Words;
 };
 
-/** Waits for the end of the process; kills it and returns false when the observer wants to stop. */
+/**
+ * Waits for the end of the process. Returns false, after killing the process, if the observer wants
+ * to stop.
+ */
 bool Listen(vtksysProcess* process, Listener& listener)
 {
   for (;;)
@@ -158,7 +167,7 @@ bool Listen(vtksysProcess* process, Listener& listener)
   }
 }
 
-/** What ended the process, empty if it ended well. */
+/** The error that ended the process; empty if there was none. */
 std::string DescribeEnd(vtksysProcess* process, Listener& listener)
 {
   const std::string name = HelperName;
@@ -176,12 +185,48 @@ std::string DescribeEnd(vtksysProcess* process, Listener& listener)
   }
 }
 
+/** Writes the job. Returns an empty string, or an error. */
+std::string WriteJob(const carving::Job& job, const MemoryFile& file)
+{
+  std::ofstream out(file.GetPath(), std::ios::binary);
+  carving::Write(out, job);
+  out.close();
+  return out ? "" : "There is not enough memory to hand the mesh to the helper program.";
+}
+
+/** Reads the reply. Returns an empty string, or an error. */
+std::string ReadReply(const MemoryFile& file, const std::string& program, carving::Reply& reply)
+{
+  std::string error;
+  file.Read([&](const char* data, std::size_t size) { error = carving::Read(data, size, reply); });
+  return error.empty() ? reply.Error
+                       : "What " + program + " answered cannot be used: " + error +
+      ". Make sure that it was built together with this library.";
+}
+
+/** Runs the program until it ends, or until the observer wants to stop. */
+HelperProcess::Outcome Execute(const std::string& program, const MemoryFile& job,
+  const MemoryFile& reply, const HelperProcess::Observer& observer, std::string& error)
+{
+  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process(
+    vtksysProcess_New(), vtksysProcess_Delete);
+  const char* command[] = { program.c_str(), nullptr };
+  vtksysProcess_SetCommand(process.get(), command);
+  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDIN, job.GetPath().c_str());
+  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDOUT, reply.GetPath().c_str());
+  vtksysProcess_Execute(process.get());
+  Listener listener(observer);
+  if (!Listen(process.get(), listener))
+  {
+    return HelperProcess::Outcome::Aborted;
+  }
+  error = DescribeEnd(process.get(), listener);
+  return error.empty() ? HelperProcess::Outcome::Success : HelperProcess::Outcome::Failure;
+}
+
 } // namespace
 
-namespace HelperProcess
-{
-
-Outcome Run(
+HelperProcess::Outcome HelperProcess::Run(
   const carving::Job& job, carving::Reply& reply, const Observer& observer, std::string& error)
 {
   const std::string program = FindHelper(error);
@@ -191,51 +236,18 @@ Outcome Run(
   }
   const MemoryFile jobFile("carving-job");
   const MemoryFile replyFile("carving-reply");
-  if (jobFile.IsOpen())
-  {
-    std::ofstream out(jobFile.GetPath(), std::ios::binary);
-    carving::Write(out, job);
-    out.close();
-    if (!out)
-    {
-      error = "There is not enough memory to hand the mesh to the helper program.";
-      return Outcome::Failure;
-    }
-  }
-  if (!jobFile.IsOpen() || !replyFile.IsOpen())
-  {
-    error = std::string("No file in memory could be opened: ") + std::strerror(errno);
-    return Outcome::Failure;
-  }
-
-  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process(
-    vtksysProcess_New(), vtksysProcess_Delete);
-  const char* command[] = { program.c_str(), nullptr };
-  vtksysProcess_SetCommand(process.get(), command);
-  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDIN, jobFile.GetPath().c_str());
-  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDOUT, replyFile.GetPath().c_str());
-  vtksysProcess_Execute(process.get());
-
-  Listener listener(observer);
-  if (!Listen(process.get(), listener))
-  {
-    return Outcome::Aborted;
-  }
-  error = DescribeEnd(process.get(), listener);
+  error = jobFile.IsOpen() && replyFile.IsOpen()
+    ? WriteJob(job, jobFile)
+    : std::string("No file in memory could be opened: ") + std::strerror(errno);
   if (!error.empty())
   {
     return Outcome::Failure;
   }
-  replyFile.Read(
-    [&](const char* data, std::size_t size) { error = carving::Read(data, size, reply); });
-  if (!error.empty())
+  const Outcome outcome = Execute(program, jobFile, replyFile, observer, error);
+  if (outcome != Outcome::Success)
   {
-    error = "What " + program + " answered cannot be used: " + error +
-      ". Make sure that it was built together with this library.";
-    return Outcome::Failure;
+    return outcome;
   }
-  error = reply.Error;
+  error = ReadReply(replyFile, program, reply);
   return error.empty() ? Outcome::Success : Outcome::Failure;
 }
-
-} // namespace HelperProcess

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Runs the helper program as a child process: whatever happens to it, the host lives.
+ * Runs the helper program as a child process, so that no crash of it affects the host.
  */
 #ifndef HelperProcess_h
 #define HelperProcess_h
@@ -22,15 +22,17 @@ enum class Outcome
   Aborted
 };
 
-/** Called with a stage and the fraction of it that is done; returns false to abort. */
+/** Is called with a stage and the fraction of the stage that is done. Returns false to abort. */
 using Observer = std::function<bool(carving::Stage, double)>;
 
 /**
- * Sends the job to carving-helper and reads its reply. The program is the one that the environment
- * variable TOPOLOGYCARVING_HELPER names, else the one that was built or installed with this library.
+ * Sends the job to carving-helper and reads its reply. The environment variable
+ * TOPOLOGYCARVING_HELPER names the program; without it, the program is the one that was built or
+ * installed with this library.
  *
- * `observer` is called as work proceeds and at least ten times a second; when it returns false the
- * child is killed at once. On Failure `error` says in words what happened. No file is written.
+ * `observer` is called with every progress of the work, and at least ten times a second. If it
+ * returns false, the child is killed at once. After a Failure, `error` is a sentence on the reason.
+ * No file is written.
  */
 VTKTOPOLOGYCARVING_EXPORT Outcome Run(
   const carving::Job& job, carving::Reply& reply, const Observer& observer, std::string& error);

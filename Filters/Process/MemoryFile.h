@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A file that needs no disk.
+ * Files in memory.
  */
 #ifndef MemoryFile_h
 #define MemoryFile_h
@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/** A file without a name that lives in memory: nothing to clean up, no disk to fill. */
+/** A file in memory, without a name. It vanishes with this object, and needs no disk. */
 class MemoryFile
 {
 public:
@@ -34,13 +34,13 @@ public:
     return this->Descriptor >= 0;
   }
 
-  /** A path under which this process can open the file. */
+  /** A path by which this process can open the file. */
   std::string GetPath() const
   {
     return "/proc/self/fd/" + std::to_string(this->Descriptor);
   }
 
-  /** Calls `read(data, size)` with all that is in the file. */
+  /** Calls `read(data, size)` with the whole content. */
   template <class Function>
   void Read(Function&& read) const
   {

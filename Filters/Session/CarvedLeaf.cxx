@@ -52,7 +52,10 @@ bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carver
   return true;
 }
 
-/** Fills the errors of the profile if the settings ask for them. Returns false if the filter is to stop. */
+/**
+ * Fills the errors of the profile if the settings ask for them. Returns false if the filter is to
+ * stop.
+ */
 template <int D>
 bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
   CarvedLeaf<D>& carved)

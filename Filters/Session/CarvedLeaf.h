@@ -21,7 +21,9 @@ struct CarvedLeaf
   int LeftByBudget = 0;   ///< cells that would be carved without a budget
 };
 
-/** Classifies the regions, carves, and measures the steps. Returns false if the filter is to stop. */
+/**
+ * Classifies the regions, carves, and measures the steps. Returns false if the filter is to stop.
+ */
 template <int D>
 bool CarveLeaf(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
   CarvedLeaf<D>& carved);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What differs between carving meshes (D = 3) and contours in a plane (D = 2).
+ * The differences between carving meshes (D = 3) and contours in a plane (D = 2).
  */
 #ifndef CarverKind_h
 #define CarverKind_h
@@ -14,6 +14,14 @@
 #include <utility>
 #include <vector>
 
+/**
+ * - Input: the input as the core needs it.
+ * - GatherInitial: gathers the mesh for InitialApproximation::Custom. Returns an empty string, or
+ *   an error.
+ * - GetResult: the decomposition in a reply of the helper program.
+ * - Fill: moves the input into a job for the helper program.
+ * - Restore: restores the coordinates that the input has.
+ */
 template <int D>
 struct Kind;
 

@@ -13,7 +13,9 @@
 
 class vtkFieldData;
 
-/** Adds notes on how the helper program has decomposed the mesh, unless the first attempt succeeded. */
+/**
+ * Adds notes on how the helper program has decomposed the mesh, unless the first attempt succeeded.
+ */
 void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>& notes);
 
 /** Writes the notes, if there are any, as the string array `Notes`. */

@@ -28,8 +28,8 @@ public:
 
   /**
    * Carves a vtkPolyData or a composite of them. `initial`, which can be null, is for
-   * InitialApproximation::Custom. Returns false after an error, which has been reported, or an abort; the
-   * caller then empties the ports.
+   * InitialApproximation::Custom. Returns false after an error, which has been reported, or an
+   * abort; the caller then empties the ports.
    */
   virtual bool Update(vtkDataObject* input, vtkPolyData* initial, const CarverSettings& settings,
     const CarverPorts& ports) = 0;
@@ -46,9 +46,9 @@ protected:
 };
 
 /**
- * Carves meshes (D = 3) or contours in a plane (D = 2) for a filter. The session reports progress, errors and
- * warnings to the filter and obeys its request to abort. Results of the helper program are kept until an
- * update does not use them.
+ * Carves meshes (D = 3) or contours in a plane (D = 2) for a filter. The session reports progress,
+ * errors and warnings to the filter and obeys its request to abort. Results of the helper program
+ * are kept until an update does not use them.
  */
 template <int D>
 class CarverSession : public CarverSessionBase

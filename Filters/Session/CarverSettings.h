@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The properties of a carver as its parts pass them on.
+ * The properties of a carver, in the form that the session uses.
  */
 #ifndef CarverSettings_h
 #define CarverSettings_h
@@ -15,15 +15,15 @@
 
 #include <vector>
 
-/** The properties of the filter that an update depends on. */
+/** The properties of the filter on which an update depends. */
 struct CarverSettings : HelperSettings
 {
   bool AppendInput = false;
   carving::CarveOptions Carve;
-  bool DepthIsDistance = false; ///< from C0, instead of the level in the hierarchy
-  bool ComputeError = false;    ///< without that a target asks for it
+  bool DepthIsDistance = false; ///< the distance from C0, else the depth in the hierarchy
+  bool ComputeError = false;    ///< also if no target needs the errors
   int NumberOfLevels = 8;
-  std::vector<double> LevelTargets; ///< replace NumberOfLevels if there are any
+  std::vector<double> LevelTargets; ///< replace NumberOfLevels unless empty
   carving::LevelTarget TargetType = carving::LevelTarget::Vertices;
   carving::FoldSides Folds = carving::FoldSides::One;
   bool ManifoldOutput = true;

@@ -44,7 +44,10 @@ public:
     ++this->LeavesDone;
   }
 
-  /** Reports that a fraction of a stage of the current leaf is done. Returns false if the filter is to stop. */
+  /**
+   * Reports that a fraction of a stage of the current leaf is done. Returns false if the filter is
+   * to stop.
+   */
   bool Report(int stage, double fraction);
 
   /** Wall-clock seconds since Start, summed over the leaves. */
@@ -53,7 +56,9 @@ public:
     return this->Seconds[stage];
   }
 
-  /** Credits seconds that a running timer of TransferStage counts to stages of the helper program. */
+  /**
+   * Credits seconds that a running timer of TransferStage counts to stages of the helper program.
+   */
   void MoveToHelper(const std::vector<double>& secondsOfStages);
 
   /** Adds to the seconds of a stage during its own lifetime. */

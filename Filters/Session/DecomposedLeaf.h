@@ -30,7 +30,10 @@ struct DecomposedLeaf
   carving::Reply Reply;
 };
 
-/** Runs the helper program for a leaf, or gives the leaf's result of an earlier update if that still holds. */
+/**
+ * Runs the helper program for a leaf, or gives the leaf's result of an earlier update if that still
+ * holds.
+ */
 template <int D>
 class DecomposedLeaves
 {
@@ -44,12 +47,15 @@ public:
   }
 
   /**
-   * `initial`, which can be null, is for InitialApproximation::Custom. Returns null after an error, which has
-   * been reported, and after an abort.
+   * `initial`, which can be null, is for InitialApproximation::Custom. Returns null after an error,
+   * which has been reported, and after an abort.
    */
   LeafPointer Get(vtkPolyData* input, vtkPolyData* initial, const HelperSettings& settings);
 
-  /** Drops all results that the finished update has not used. An aborted update may not have reached all. */
+  /**
+   * Drops all results that the finished update has not used. An aborted update may not have reached
+   * all.
+   */
   void FinishUpdate(bool aborted);
 
 private:

@@ -6,7 +6,7 @@ using carving::Conformity;
 namespace
 {
 
-/** Whether the attempts would run, fail and succeed as they did. */
+/** Whether every attempt would be made, fail and succeed as before. */
 bool AttemptsAlike(
   const carving::Reply& reply, const HelperSettings& before, const HelperSettings& now)
 {
@@ -15,7 +15,7 @@ bool AttemptsAlike(
   const bool unlimited = reply.Limits.empty(); // no attempt has reached a limit
   if (now.Conformity != before.Conformity)
   {
-    // EXACT has the same attempts as AUTO, with more patience.
+    // EXACT makes the same attempts as AUTO, with higher limits.
     if (enclosed || !unlimited || before.Conformity == Conformity::Enclosing ||
       now.Conformity != Conformity::Exact)
     {
@@ -26,7 +26,7 @@ bool AttemptsAlike(
   {
     return false;
   }
-  // Snapping comes after all that is exact, and before enclosing.
+  // Snapping follows all other exact attempts, and precedes enclosing.
   const bool snappingMatters = snapped || (enclosed && now.Conformity != Conformity::Enclosing);
   if (now.SnapTolerance != before.SnapTolerance && snappingMatters)
   {
@@ -36,7 +36,7 @@ bool AttemptsAlike(
   {
     return false;
   }
-  // A time limit of 0 stands for a limit that depends on the mesh.
+  // With a time limit of 0, the limit depends on the mesh.
   const bool moreTime = before.TimeLimit > 0.0 && now.TimeLimit > before.TimeLimit;
   return now.TimeLimit == before.TimeLimit || (moreTime && unlimited);
 }

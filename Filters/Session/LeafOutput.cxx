@@ -135,7 +135,8 @@ std::vector<int> LeafOutput<D>::SelectSteps(const carving::Profile& profile)
 template <int D>
 bool LeafOutput<D>::WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
-  // One walk over the stream finds the faces of this many levels. The number bounds the time between reports.
+  // One walk over the stream finds the faces of this many levels. The number bounds the time
+  // between reports.
   constexpr std::size_t levelsAtOnce = 16;
   const std::vector<int> steps = this->SelectSteps(carved.Profile);
   for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)

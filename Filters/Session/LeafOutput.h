@@ -15,7 +15,9 @@
 class vtkAlgorithm;
 class vtkUnstructuredGrid;
 
-/** Writes the outputs for a leaf, and reports targets that no level meets as warnings of the filter. */
+/**
+ * Writes the outputs for a leaf, and reports targets that no level meets as warnings of the filter.
+ */
 template <int D>
 class LeafOutput
 {

@@ -28,7 +28,7 @@ std::string ExtractMessage(std::string text)
 
 void ErrorLog::DisplayErrorText(const char* text)
 {
-  // The pipeline's echo of an error that its filter has reported already says nothing to a user.
+  // The pipeline repeats each error of a filter, in words that mean nothing to a user.
   const std::string message = ExtractMessage(text);
   if (message.find("returned failure for request") == std::string::npos)
   {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/** Collects what VTK reports, as single lines without file names and addresses. */
+/** Collects the messages of VTK as single lines, without file names and addresses. */
 class ErrorLog : public vtkOutputWindow
 {
 public:

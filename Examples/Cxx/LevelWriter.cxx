@@ -55,7 +55,9 @@ bool WritePly(const std::string& fileName, vtkPolyData* level)
   return file && size == expected;
 }
 
-/** Counts the whole lines with a triangle, for the same reason. They are the last ones of the file. */
+/**
+ * Counts the whole lines with a triangle, for the same reason. They are the last ones of the file.
+ */
 bool WriteObj(const std::string& fileName, vtkPolyData* level)
 {
   if (!WriteWith<vtkOBJWriter>(fileName, level))
@@ -82,8 +84,8 @@ bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPo
 }
 
 /**
- * Reads a written level again and counts the pairs of triangles that cross each other. `error` says why that
- * fails: then the level has not been written in full.
+ * Reads a written level again and counts the pairs of triangles that cross each other. `error` says
+ * why that fails: then the level has not been written in full.
  */
 int CountCrossings(const std::string& fileName, ErrorLog* log, std::string& error)
 {

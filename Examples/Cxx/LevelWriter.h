@@ -11,13 +11,13 @@ class vtkMultiBlockDataSet;
 namespace LevelWriter
 {
 
-/** Returns an empty string or why levels cannot be written under that name. */
+/** Returns an empty string, or the reason why levels cannot be written under that name. */
 std::string CheckName(const std::string& fileName);
 
 /**
- * Writes a multiblock of levels into one .vtm file, or a file per level for .vtp, .ply, .obj, .stl.
- * Returns an empty string or what went wrong. `written` gets the names of the files to look at,
- * `warnings` what rounding to the format's precision did to the levels.
+ * Writes a multiblock of levels to one .vtm file, or one .vtp, .ply, .obj or .stl file per level.
+ * Returns an empty string, or an error. `written` gets the names of the files; `warnings` gets a
+ * sentence for each level that crosses itself after rounding to the precision of the format.
  */
 std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, ErrorLog* log,
   std::vector<std::string>& written, std::vector<std::string>& warnings);

@@ -102,7 +102,7 @@ std::string ReadFormat(
   return {};
 }
 
-/** Names of arrays come from the file, in any encoding; VTK's XML files can be read in ASCII and UTF-8. */
+/** Replaces all characters beyond ASCII, since names can have any encoding, but XML needs UTF-8. */
 void MakeNamesReadable(vtkFieldData* arrays)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
@@ -135,7 +135,9 @@ std::string Unpack(const std::string& fileName, const std::string& unpacked)
   return !good ? "it is not a whole gzip file" : !out ? "there is not enough memory for it" : "";
 }
 
-/** Reads a gzipped file by way of a file in memory, since VTK's readers want the name of a plain file. */
+/**
+ * Reads a gzipped file. VTK's readers need the name of a plain file, which is one in memory here.
+ */
 std::string ReadPacked(
   const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
 {

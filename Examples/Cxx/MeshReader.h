@@ -7,7 +7,7 @@
 class ErrorLog;
 class vtkPolyData;
 
-/** What a file must hold. */
+/** The required content of a file. */
 enum class Wanted
 {
   Polygons,
@@ -15,9 +15,9 @@ enum class Wanted
 };
 
 /**
- * Reads a polygonal mesh or contours; the end of the name tells its format: .obj, .ply, .stl, .off, .vtp, .vtk
- * (legacy), each also with .gz. Returns an empty string or why it cannot be read, in one line.
- * `log` is where VTK's readers complain to.
+ * Reads a polygonal mesh or contours. The end of the name determines the format: .obj, .ply, .stl,
+ * .off, .vtp, .vtk (legacy), each also with .gz. Returns an empty string, or the reason for a
+ * failure in one line. `log` collects the errors of VTK's readers.
  */
 std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, vtkPolyData* mesh);
 

@@ -8,7 +8,9 @@
 namespace
 {
 
-/** The next line that has more than white space and a comment. */
+/**
+ * Finds the next line with content other than white space and a comment. Returns false at the end.
+ */
 bool NextLine(std::istream& in, std::istringstream& line)
 {
   for (std::string text; std::getline(in, text);)

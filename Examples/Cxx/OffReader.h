@@ -13,8 +13,8 @@ struct OffMesh
 };
 
 /**
- * Reads an ASCII Object File Format mesh (OFF). Colors, normals and texture coordinates (COFF, NOFF,
- * STOFF, ...) are passed over. Returns an empty string or what is wrong with the file.
+ * Reads an ASCII Object File Format mesh (OFF). Colors, normals and texture coordinates (COFF,
+ * NOFF, STOFF, ...) are ignored. Returns an empty string, or the mistake in the file.
  */
 std::string ReadOff(const std::string& fileName, OffMesh& mesh);
 

@@ -43,7 +43,9 @@ const std::vector<std::string>& GetTargetTypes()
   return FindProperty("LevelTargetType").Choices;
 }
 
-/** The option that getopt_long has just refused: a letter, or the whole argument before the next. */
+/**
+ * The option that getopt_long has just refused: a letter, or the whole argument before the next.
+ */
 std::string GetOffender(char* argv[])
 {
   return optopt > 0 && optopt < 128 && std::isprint(optopt) && argv[optind - 1][1] != '-'

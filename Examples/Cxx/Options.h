@@ -22,7 +22,9 @@ struct Options
   std::string Stream;      ///< the file for the stored stream; empty: none
   std::string Profile;     ///< the file for the profile, .csv or .png; empty: none
   std::string InitialMesh; ///< for CUSTOM
-  /** The last option that applies to carving only, not to a stored stream; empty if there is none. */
+  /**
+   * The last option that applies to carving only, not to a stored stream; empty if there is none.
+   */
   std::string CarvingOption;
   bool Contours = false; ///< the input is contours in a plane
   int NumberOfLevels = 8;

@@ -42,7 +42,7 @@ bool IsChart(const std::string& fileName)
   return vtksys::SystemTools::GetFilenameLastExtension(fileName) == ".png";
 }
 
-/** VTK ends the process where there is no display. */
+/** Without a display, VTK would end the process. */
 bool HasDisplay()
 {
   Display* display = XOpenDisplay(nullptr);
@@ -54,7 +54,7 @@ double GetMaximum(vtkTable* table, const char* column)
   return vtkDataArray::SafeDownCast(table->GetColumnByName(column))->GetRange()[1];
 }
 
-/** The chart's own columns: what a logarithm has none of is left out. */
+/** The columns of the chart. On a logarithmic axis, numbers without a logarithm are omitted. */
 vtkNew<vtkTable> MakeColumns(vtkTable* profile, const Curve (&curves)[3], bool logarithmic)
 {
   vtkNew<vtkTable> columns;

@@ -9,12 +9,13 @@ class vtkTable;
 namespace ProfileFile
 {
 
-/** Returns an empty string, or why nothing can be written there. */
+/** Returns an empty string, or the reason why no file can be written under that name. */
 std::string Check(const std::string& fileName);
 
 /**
- * Writes a carver's profile, to .csv all of it, to .png a chart of components, tunnels and voids over
- * vertices; axes are logarithmic where numbers differ much. Returns an empty string or what went wrong.
+ * Writes the profile of a carver: to .csv the whole table, to .png a chart of components, tunnels
+ * and voids over vertices. Axes are logarithmic if their numbers differ much. Returns an empty
+ * string, or an error.
  */
 std::string Write(const std::string& fileName, vtkTable* profile, bool contours);
 

@@ -56,7 +56,7 @@ std::string StreamFile::Read(
   {
     return log->Errors.front();
   }
-  // The reader gives up on some files without an error.
+  // The reader reports no error for some damaged files.
   if (reader->GetOutput()->GetNumberOfCells() == 0)
   {
     return "there are no cells in it";
@@ -90,7 +90,6 @@ void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
   else
   {
     extract->SetLevelTargetType(options.TargetType);
-    extract->FollowTimeOff();
     for (const double target : options.Targets)
     {
       extract->SetLevelTarget(target);

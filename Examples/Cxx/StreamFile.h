@@ -14,12 +14,12 @@ struct Options;
 namespace StreamFile
 {
 
-/** Returns an empty string or why the file could not be read. */
+/** Returns an empty string, or the reason why the file cannot be read. */
 std::string Read(const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream);
 
 /**
- * Extracts the levels that the options ask for, from coarse to fine, and the profile. The filter reports errors
- * and warnings.
+ * Extracts the levels that the options ask for, from coarse to fine, and the profile. The filter
+ * reports errors and warnings.
  */
 void Extract(const Options& options, vtkUnstructuredGrid* stream, vtkMultiBlockDataSet* levels,
   vtkTable* profile);

@@ -15,8 +15,8 @@ namespace
 {
 
 /**
- * Saves the string that the writer has made. This notices a full disk, on which VTK 9.1's own writing into a
- * file crashes.
+ * Saves the string that a writer has made. VTK 9.1 would crash if it wrote to a file on a full
+ * disk.
  */
 bool Save(const std::string& fileName, vtkXMLWriter* writer)
 {
@@ -26,7 +26,7 @@ bool Save(const std::string& fileName, vtkXMLWriter* writer)
   return !file.fail();
 }
 
-/** Saves the files of the blocks in the same way. */
+/** Saves the files of all blocks in the same way. */
 class MultiBlockWriter : public vtkXMLMultiBlockDataWriter
 {
 public:
@@ -55,7 +55,8 @@ bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject*
   writer->WriteToOutputStringOn();
   // ParaView 5.11 cannot read appended data with today's libexpat1 of Debian 12.
   writer->SetDataModeToBinary();
-  // zlib makes files of half the size, in three to four times as long. No compression takes longer, too.
+  // With zlib, files have half the size but take three to four times as long. No compression is
+  // slower, too.
   writer->SetCompressorTypeToLZ4();
   writer->SetCompressionLevel(9);
   return writer->Write() != 0 && Save(fileName, writer);

@@ -10,8 +10,8 @@ namespace XmlFile
 {
 
 /**
- * Writes a data set, or a multiblock of data sets with a file for each, in VTK's XML formats. None of
- * the data sets may be empty. Returns whether everything has been written.
+ * Writes a data set, or a multiblock of data sets with one file for each, in VTK's XML formats. No
+ * data set may be empty. Returns whether everything has been written.
  */
 bool Write(const std::string& fileName, vtkDataObject* data);
 

@@ -59,7 +59,7 @@ private:
   std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
 
-/** One line on a terminal that is written over and over; nothing elsewhere. */
+/** Overwrites one line of the terminal. */
 void ShowProgress(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* carver = static_cast<vtkCarverAlgorithm*>(caller);
@@ -75,7 +75,7 @@ void EraseProgress()
   }
 }
 
-/** A number of a level; a dash where it is not known. */
+/** A number in the field data of a level; a dash if the number is unknown. */
 std::string GetNumber(vtkPolyData* level, const char* name)
 {
   const double number = level->GetFieldData()->GetArray(name)->GetTuple1(0);
@@ -105,7 +105,10 @@ void PrintNotes(vtkMultiBlockDataSet* levels)
   }
 }
 
-/** Prints, and writes if so asked, what a filter has given; `seconds` is the line of timings so far. */
+/**
+ * Prints the levels, and writes the files that the options ask for. `seconds` is the line of
+ * timings so far.
+ */
 int Finish(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, vtkTable* profile,
   const std::string& seconds)
 {
@@ -275,7 +278,7 @@ int main(int argc, char* argv[])
   {
     return Fail(unwritable);
   }
-  // All that VTK reports comes through the log, one line each.
+  // The log collects all messages of VTK.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<ErrorLog> log;
   vtkOutputWindow::SetInstance(log);

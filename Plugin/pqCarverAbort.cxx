@@ -49,7 +49,7 @@ void pqCarverAbort::shutdown()
 //------------------------------------------------------------------------------
 void pqCarverAbort::watch(pqPipelineSource* source)
 {
-  // Null where another process has the filter.
+  // Null if the filter is in another process.
   auto* carver = vtkCarverAlgorithm::SafeDownCast(source->getProxy()->GetClientSideObject());
   if (carver)
   {
@@ -64,16 +64,16 @@ void pqCarverAbort::onProgress(vtkObject* caller)
   auto* carver = vtkCarverAlgorithm::SafeDownCast(caller);
   if (!carver->GetProgressText())
   {
-    return; // no stage of a carving, but another level
+    return; // the filter extracts a level, and does not carve
   }
   pqProgressManager* manager = GetProgressManager();
   manager->setEnableAbort(true);
   const auto connection = QObject::connect(
     manager, &pqProgressManager::abort, this, [carver] { carver->SetAbortExecute(1); });
-  // The manager's own filter would take the mouse from the window before it comes to the button.
+  // The manager's own event filter would block events of the window before they reach the button.
   const bool unblocked = manager->unblockEvents(true);
   QCoreApplication::instance()->installEventFilter(this);
-  // Timers start renderings, for which the running filter would have to be up to date.
+  // Timers start renderings, which would need the output of the running filter.
   QCoreApplication::processEvents(
     QEventLoop::ExcludeSocketNotifiers | QEventLoop::X11ExcludeTimers);
   QCoreApplication::instance()->removeEventFilter(this);
@@ -84,7 +84,7 @@ void pqCarverAbort::onProgress(vtkObject* caller)
 //------------------------------------------------------------------------------
 void pqCarverAbort::onEnd(vtkObject* caller)
 {
-  // Or it would be stopped at once the next time.
+  // Otherwise, the next carving would stop at once.
   vtkCarverAlgorithm::SafeDownCast(caller)->SetAbortExecute(0);
   GetProgressManager()->setEnableAbort(false);
 }
@@ -101,7 +101,8 @@ bool pqCarverAbort::eventFilter(QObject* receiver, QEvent* event)
       event->ignore();
       return true;
     default:
-      // A window hands the mouse on to its widgets, of which the manager knows the button.
+      // A window passes events of the mouse on to its widgets. The manager knows the button among
+      // them.
       return dynamic_cast<QInputEvent*>(event) && !receiver->isWindowType() &&
         !GetProgressManager()->nonBlockableObjects().contains(receiver);
   }

@@ -3,9 +3,10 @@
  * @class pqCarverAbort
  * @brief makes the button beside ParaView's progress bar stop a carving
  *
- * In ParaView 5.11 the button only emits a signal, and nobody looks at the mouse while a filter runs.
- * So while a carver of the built-in server reports progress, its button is enabled and events are
- * processed: those of the button and of painting, none by which the user could start something else.
+ * In ParaView 5.11, the button only emits a signal, and no events of the mouse are processed while
+ * a filter runs. So this class enables the button while a carver reports progress, and processes
+ * the events of the button and of painting, but no event by which the user could start another
+ * action. The button does not work with a remote server.
  */
 #ifndef pqCarverAbort_h
 #define pqCarverAbort_h
@@ -23,12 +24,12 @@ public:
   explicit pqCarverAbort(QObject* parent = nullptr);
 
   ///@{
-  /** Called when ParaView's window starts and ends. */
+  /** ParaView calls these functions when its window starts and ends. */
   void startup();
   void shutdown();
   ///@}
 
-  /** Filters the application's events, while those of a running carver are processed. */
+  /** Suppresses all other events of the application while a carver runs. */
   bool eventFilter(QObject* receiver, QEvent* event) override;
 
 private Q_SLOTS:

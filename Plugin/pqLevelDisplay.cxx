@@ -27,7 +27,7 @@ bool IsExtractor(pqPipelineSource* source)
   return QString(source->getProxy()->GetXMLName()) == "ExtractCarvedLOD";
 }
 
-/** Hides what else of its carver a view with an extracted level shows. */
+/** Hides all outputs of the carver in every view that shows the extracted level. */
 void HideCarver(pqPipelineFilter* extractor)
 {
   vtkNew<vtkSMParaViewPipelineControllerWithRendering> controller;
@@ -92,7 +92,7 @@ void pqLevelDisplay::watch(pqPipelineSource* source)
     [source, fresh = false]() mutable
     {
       const pqProxy::ModifiedState state = source->modifiedState();
-      if (fresh && state == pqProxy::UNMODIFIED) // applied for the first time, and shown
+      if (fresh && state == pqProxy::UNMODIFIED) // has been applied for the first time
       {
         HideCarver(qobject_cast<pqPipelineFilter*>(source));
       }

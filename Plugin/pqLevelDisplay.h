@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqLevelDisplay
- * @brief what ParaView's window has to do for filters that show one level
+ * @brief updates ParaView's window for filters that show one level
  *
- * ParaView hides the output that a filter is applied to and no other of the same source, and it asks for
- * the ranges of sliders before it executes the filter. So this hides the level of a carver to whose stream
- * Extract Carved LOD is applied, and asks for the ranges again as soon as there is new data.
+ * ParaView hides the output to which a filter is applied, but no other output of the same source.
+ * It requests the ranges of sliders before it executes a filter. So this class hides the level of a
+ * carver when Extract Carved LOD is applied to the carver's stream, and requests the ranges again
+ * when there is new data.
  */
 #ifndef pqLevelDisplay_h
 #define pqLevelDisplay_h
@@ -22,7 +23,7 @@ public:
   explicit pqLevelDisplay(QObject* parent = nullptr);
 
   ///@{
-  /** Called when ParaView's window starts and ends. */
+  /** ParaView calls these functions when its window starts and ends. */
   void startup();
   void shutdown();
   ///@}

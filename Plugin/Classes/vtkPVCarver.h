@@ -4,8 +4,9 @@
  * @brief a carver with a further output port that shows one level
  *
  * ParaView shows the first output port. So port 0 of this filter is a single level, which a
- * vtkPVExtractCarvedLOD picks; ports 1 to 3 are the ports 0 to 2 of vtkCarverAlgorithm: all levels, the stream
- * and the profile. The outputs of the carver are kept, so that picking another level does not carve again.
+ * vtkPVExtractCarvedLOD picks; ports 1 to 3 are the ports 0 to 2 of vtkCarverAlgorithm: all levels,
+ * the stream and the profile. The outputs of the carver are kept, so that picking another level
+ * does not carve again.
  */
 #ifndef vtkPVCarver_h
 #define vtkPVCarver_h
@@ -50,7 +51,9 @@ private:
   vtkPVCarver(const vtkPVCarver&) = delete;
   void operator=(const vtkPVCarver&) = delete;
 
-  /** Fills the carver's own ports and keeps their data. Returns false after an error or an abort. */
+  /**
+   * Fills the carver's own ports and keeps their data. Returns false after an error or an abort.
+   */
   bool CarveAndKeep(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* ports);
   /** Fills port 0 from the kept stream. */

@@ -61,7 +61,7 @@ double* vtkPVExtractCarvedLOD::GetStepRange()
 int vtkPVExtractCarvedLOD::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
-  // Not by the setter, which would mark the filter as changed while it executes.
+  // The setter would mark the filter as changed while it executes.
   switch (this->LevelTargetType)
   {
     case TRIANGLES:

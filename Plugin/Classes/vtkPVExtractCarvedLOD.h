@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVExtractCarvedLOD
- * @brief vtkExtractCarvedLOD with a target for each type, as a panel with a slider for each needs it
+ * @brief vtkExtractCarvedLOD with a target for each type of target, for a panel with a slider for each
  *
- * LevelTarget is set from the target of the current LevelTargetType.
+ * The target of the current LevelTargetType becomes the LevelTarget.
  */
 #ifndef vtkPVExtractCarvedLOD_h
 #define vtkPVExtractCarvedLOD_h
@@ -19,7 +19,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The LevelTarget of each LevelTargetType; each is of use only while its type is set. */
+  /** The LevelTarget for each LevelTargetType. */
   vtkSetClampMacro(VertexTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(VertexTarget, int);
   vtkSetClampMacro(TriangleTarget, int, 0, VTK_INT_MAX);
@@ -38,8 +38,8 @@ public:
 
   ///@{
   /**
-   * The range of each target in the input as it is now. As long as there is none, a range in whose middle
-   * the target is, since that is where ParaView puts a slider first.
+   * The range of each target in the input as it is now. Without an input, the range is centered on
+   * the target, since ParaView puts a new slider in the middle of its range.
    */
   double* GetVertexRange() VTK_SIZEHINT(2);
   double* GetTriangleRange() VTK_SIZEHINT(2);

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkPolyData> MakeContours(const std::vector<Loop>& loops, bool c
   return result;
 }
 
-/** Calls with the ends of every edge. */
+/** Calls a function with the ends of every edge. */
 template <class Function>
 void ForEachEdge(vtkPolyData* contours, const Function& call)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Contours, and what the tests of vtkContourCarver look at in levels.
+ * Contours for the tests of vtkContourCarver, and properties of levels that the tests compare.
  */
 #ifndef ContourTesting_h
 #define ContourTesting_h
@@ -21,7 +21,7 @@ void Carve(vtkContourCarver* carver, vtkPolyData* input);
 vtkPolyData* LastLevel(vtkContourCarver* carver);
 int FieldValue(vtkPolyData* level, const char* name);
 
-/** Each loop a polygon, or a polyline that ends where it ends. */
+/** Each loop becomes a polygon, or a polyline from its first to its last point. */
 vtkSmartPointer<vtkPolyData> Polygons(const std::vector<Loop>& loops);
 vtkSmartPointer<vtkPolyData> Polylines(const std::vector<Loop>& loops);
 
@@ -34,9 +34,9 @@ Loop Star();
 
 /** The directed edges of lines and of the boundaries of polygons, by coordinates. */
 std::multiset<std::pair<carving::Point, carving::Point>> Edges(vtkPolyData* contours);
-/** What the edges enclose in the plane of x and y, where they run counter-clockwise. */
+/** The area that counter-clockwise edges enclose in the plane of x and y. */
 double Area(vtkPolyData* contours);
-/** Of every point that lines use, how many end and how many begin there. */
+/** For every point of lines, the numbers of lines that end and that begin there. */
 std::vector<std::pair<int, int>> Degrees(vtkPolyData* contours);
 
 #endif

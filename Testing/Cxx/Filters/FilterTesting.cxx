@@ -224,7 +224,7 @@ Messages::Messages(vtkAlgorithm* filter)
 
 Messages::~Messages()
 {
-  // Not when it comes: there may be no file to be had at that time.
+  // Opened early, since a test may leave no file to open later.
   std::for_each(this->All.begin(), this->All.end(), Log);
   this->Filter->RemoveObserver(this->Tags[0]);
   this->Filter->RemoveObserver(this->Tags[1]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tests of the filters share.
+ * Functions and classes that the tests of the filters share.
  */
 #ifndef FilterTesting_h
 #define FilterTesting_h
@@ -19,22 +19,25 @@
 #include <vector>
 
 vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh);
-/** A mesh that the tests fetched. */
+/** A mesh that the test FetchMeshes has fetched. */
 vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name);
-/** Two boxes with a gap between them: the simplest mesh with something to carve. */
+/** Two boxes with a gap between them: the simplest mesh with tetrahedra to carve. */
 vtkSmartPointer<vtkPolyData> TwoBoxes();
 
 vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level);
 int GetLevelStep(vtkCarverAlgorithm* carver, int level);
-/** The notes in the field data of port 0, a line each. */
+/** The notes in the field data of port 0, one per line. */
 std::string GetNotes(vtkCarverAlgorithm* carver);
 
-/** The same tree, names, points, cells and arrays, bit for bit, in whatever order the arrays are. */
+/**
+ * Expects the same tree, names, points, cells and arrays, bit for bit, in any order of the arrays.
+ */
 void ExpectEqualData(vtkDataObject* a, vtkDataObject* b);
 
 /**
- * Collects the errors and warnings of a filter, which are then not printed. These and notes also go to the
- * file that TOPOLOGYCARVING_MESSAGE_LOG names, for the test that holds them against the README.
+ * Collects the errors and warnings of a filter instead of printing them. Errors, warnings and notes
+ * are also written to the file that TOPOLOGYCARVING_MESSAGE_LOG names, for the test that compares
+ * them with the README.
  */
 class Messages
 {
@@ -50,27 +53,27 @@ public:
 private:
   void AddError(vtkObject*, unsigned long, void* text);
   void AddWarning(vtkObject*, unsigned long, void* text);
-  /** The executive only echoes what the filter has said. */
+  /** The executive only repeats the errors of the filter. */
   void Ignore()
   {
   }
 
   vtkAlgorithm* Filter;
   unsigned long Tags[3];
-  std::vector<std::string> All; ///< also those that a test has seen and cleared
+  std::vector<std::string> All; ///< including those that a test has cleared
 };
 
 /** The triangles of a mesh by coordinates, rotated so that the smallest corner comes first. */
 std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* mesh);
 
-/** While it lives, the filters run another program in the helper's place. */
+/** During its lifetime, the filters run another program instead of the helper program. */
 class OtherHelper
 {
 public:
   explicit OtherHelper(const std::string& path);
   ~OtherHelper();
 
-  /** A shell script as helper; the file goes with this object. */
+  /** Makes a shell script the helper program; the file is removed with this object. */
   static OtherHelper Script(const std::string& commands);
   OtherHelper(OtherHelper&& other) noexcept;
   OtherHelper(const OtherHelper&) = delete;

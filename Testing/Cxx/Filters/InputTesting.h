@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tests of kinds of input share.
+ * Functions that the tests of kinds of input share.
  */
 #ifndef InputTesting_h
 #define InputTesting_h
@@ -23,10 +23,10 @@ inline vtkSmartPointer<vtkPolyData> QuadBoxes()
   return QuadBoxes([](const carving::Point& p) { return p; });
 }
 
-/** Carves; no error is expected. */
+/** Carves, and expects no error. */
 vtkSmartPointer<vtkTopologyCarver> Carve(vtkPolyData* input);
 vtkPolyData* LastLevel(vtkTopologyCarver* carver);
-/** What a closed surface of triangles encloses. */
+/** The volume that a closed surface of triangles encloses. */
 double GetVolume(vtkPolyData* level);
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Faults that a test can provoke, and what they must not leave behind.
+ * Faults that a test can provoke, and detection of processes and files that they leave behind.
  */
 #ifndef Leftovers_h
 #define Leftovers_h
@@ -20,8 +20,8 @@
 #include <unistd.h>
 
 /**
- * While it lives, processes that lose their parent become this one's children, temporary files go to a
- * folder of their own, and files that are left open are counted.
+ * During its lifetime, processes that lose their parent become children of this process, temporary
+ * files go to a folder of their own, and files that stay open are counted.
  */
 class Leftovers
 {
@@ -57,7 +57,7 @@ private:
       std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
   }
 
-  /** What is left has been killed and is about to go: it does not come to an end of its own. */
+  /** Expects that remaining processes have been killed, and so end without finishing their work. */
   static void ExpectAllProcessesKilled()
   {
     int status = 0;
@@ -72,14 +72,14 @@ private:
   std::ptrdiff_t OpenBefore;
 };
 
-/** While it lives, this process and those that it starts have less of something. */
+/** During its lifetime, a resource of this process and its child processes is limited. */
 class ResourceLimit
 {
 public:
   ResourceLimit(__rlimit_resource_t resource, rlim_t most)
     : Resource(resource)
   {
-    signal(SIGXFSZ, SIG_IGN); // the end of a process that makes a file too long
+    signal(SIGXFSZ, SIG_IGN); // would end a process that makes a file too long
     getrlimit(resource, &this->Before);
     const rlimit limit = { most, this->Before.rlim_max };
     setrlimit(resource, &limit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the tests of damaged streams share.
+ * Functions that the tests of damaged streams share.
  */
 #ifndef StreamTesting_h
 #define StreamTesting_h
@@ -11,13 +11,13 @@
 
 #include <string>
 
-/** A stream of a mesh, or of contours, with all arrays that there may be. */
+/** A stream of a mesh, or of contours, with all possible arrays. */
 vtkSmartPointer<vtkUnstructuredGrid> MakeStream(bool plane = false);
 
-/** The one error of all ways to ask for a level, after which that is empty; "" if there is none. */
+/** The error that every way to ask for a level gives, with an empty level; "" if there is none. */
 std::string ErrorOf(vtkUnstructuredGrid* stream);
 
-/** The stream is refused in an error that has this text. */
+/** Expects that the stream is refused with an error that contains this text. */
 void ExpectError(vtkUnstructuredGrid* stream, const std::string& text);
 
 #endif

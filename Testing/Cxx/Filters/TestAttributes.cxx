@@ -21,7 +21,7 @@
 namespace
 {
 
-/** x + 2 y + 3 z, which interpolation within a triangle keeps. */
+/** x + 2 y + 3 z, which interpolation within a triangle preserves. */
 double Linear(const double p[3])
 {
   return p[0] + 2.0 * p[1] + 3.0 * p[2];
@@ -40,7 +40,7 @@ void AddLinearPointData(vtkPolyData* mesh)
 
 } // namespace
 
-// Point data arrives with its points, exact where the point is of the input.
+// Level points have the point data of the input; points of the input have exact values.
 TEST(Attributes, CarriesPointData)
 {
   auto input = TwoBoxes();
@@ -75,7 +75,7 @@ TEST(Attributes, CarriesPointData)
   }
 }
 
-// At points that resolving made, point data is interpolated; their original id is -1.
+// Points that resolving made have interpolated point data and the original id -1.
 TEST(Attributes, InterpolatesPointDataAtNewPoints)
 {
   auto input = ToPolyData(
@@ -98,7 +98,8 @@ TEST(Attributes, InterpolatesPointDataAtNewPoints)
   EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), newPoints);
 }
 
-// A face of the input carries its cell's data, a carved face the priority and depth of what is behind.
+// A face of the input has the data of its cell; a carved face has the priority and depth of the
+// tetrahedron behind it.
 TEST(Attributes, CarriesCellData)
 {
   auto input = TwoBoxes();
@@ -126,13 +127,13 @@ TEST(Attributes, CarriesCellData)
       EXPECT_EQ(std::isnan(data->GetArray("Priority")->GetTuple1(i)), isInput);
       EXPECT_EQ(data->GetArray("Depth")->GetTuple1(i) == 0, isInput);
     }
-    // Four sides of the gap have two triangles each, until they are carved.
+    // The four sides of the gap have two triangles each until they are carved.
     EXPECT_EQ(carved, l == 0 ? 8 : 0);
   }
 }
 
-// Polygons and strips are triangulated, and faces name the cell that they are of, after vertices and
-// lines, which are passed over.
+// Faces of triangulated polygons and strips have the id of their cell of the input; vertices and
+// lines count, too.
 TEST(Attributes, CountsCellsAsTheInputDoes)
 {
   const carving::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
@@ -175,7 +176,7 @@ TEST(Attributes, CountsCellsAsTheInputDoes)
   EXPECT_NE(carver->GetOutput()->GetFieldData()->GetAbstractArray("Notes"), nullptr);
 }
 
-// Ghost cells are as good as not there.
+// Ghost cells are ignored.
 TEST(Attributes, SkipsGhostCells)
 {
   auto input = TwoBoxes();
@@ -194,7 +195,7 @@ TEST(Attributes, SkipsGhostCells)
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[1], 1.0);
 }
 
-// Every level says in its field data what it is.
+// The field data of every level describe the level.
 TEST(Attributes, DescribesLevels)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -213,7 +214,8 @@ TEST(Attributes, DescribesLevels)
   }
   EXPECT_TRUE(
     std::isinf(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0)));
-  // All tetrahedra of the gap have an edge across a side of the gap or longer, at most through it.
+  // The longest edge of each tetrahedron in the gap is at least a diagonal of a side, at most of
+  // the gap.
   const double size = GetLevel(carver, 1)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0);
   EXPECT_GE(size, std::sqrt(2.0));
   EXPECT_LE(size, std::sqrt(3.0));

@@ -78,8 +78,7 @@ int CountComponents(vtkPolyData* surface)
 
 } // namespace
 
-// A torus is carved to a torus; without a tunnel to spend its last level is a sphere around it, and a note
-// says that there is more.
+// Without a budget of tunnels, the last level of a torus is a sphere around it, and a note says so.
 TEST(Budgets, CloseATorus)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -98,7 +97,8 @@ TEST(Budgets, CloseATorus)
   EXPECT_EQ(GetNotes(carver), "");
 }
 
-// Two boxes stay in one piece, a hollow stays filled.
+// With a budget of one component, two boxes stay joined; without a budget of voids, a hollow stays
+// filled.
 TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -114,7 +114,7 @@ TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
   carver->SetMaximumVoids(0);
   carver->Update();
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12);
-  // There is something to carve, if not within the budget.
+  // There are tetrahedra to carve, but not within the budget.
   EXPECT_NE(GetNotes(carver).find("The budget"), std::string::npos);
   EXPECT_EQ(GetNotes(carver).find("nothing to carve"), std::string::npos);
   carver->SetMaximumVoids(1);
@@ -122,8 +122,8 @@ TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 24);
 }
 
-// With budgets of one piece without tunnels and hollows every level is closed and each of its pieces is a
-// sphere, also where the mesh has sheets: they show with both sides, unless one is wanted.
+// With budgets of 1, 0 and 0, each component of every level is a sphere, around sheets, too, unless
+// these show one side.
 TEST(Budgets, GiveClosedSurfacesAroundSheets)
 {
   std::mt19937_64 random(3);
@@ -162,8 +162,8 @@ TEST(Budgets, GiveClosedSurfacesAroundSheets)
   EXPECT_GT(open, 10);
 }
 
-// What the budgets leave is in the stored stream like all that stays: its last level is the carver's, and
-// its field data names the budgets.
+// The stored stream of a carving with budgets gives the same last level, and its field data have
+// the budgets.
 TEST(Budgets, AreInTheStoredStream)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -185,7 +185,7 @@ TEST(Budgets, AreInTheStoredStream)
   ExpectEqualData(extract->GetOutput(), LastLevel(carver));
 }
 
-// Below -1 there is nothing.
+// Budgets below -1 become -1.
 TEST(Budgets, AreMinusOneOrMore)
 {
   vtkNew<vtkTopologyCarver> carver;

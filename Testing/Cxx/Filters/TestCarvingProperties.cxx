@@ -29,14 +29,14 @@ double GetFieldValue(vtkTopologyCarver* carver, int level, const char* name)
   return GetLevel(carver, level)->GetFieldData()->GetArray(name)->GetTuple1(0);
 }
 
-/** A hollow box: an outer one and, facing into its hollow, an inner one. */
+/** A hollow box: an outer box and an inner one that faces the hollow. */
 vtkSmartPointer<vtkPolyData> HollowBox()
 {
   return ToPolyData(models::Joined(
     models::Box({ 0, 0, 0 }, { 3, 3, 3 }), models::Flipped(models::Box({ 1, 1, 1 }, { 2, 2, 2 }))));
 }
 
-/** How many triangles the last level has. */
+/** The number of triangles of the last level. */
 vtkIdType CountTriangles(vtkTopologyCarver* carver)
 {
   carver->SetNumberOfLevels(1);
@@ -46,8 +46,8 @@ vtkIdType CountTriangles(vtkTopologyCarver* carver)
 
 } // namespace
 
-// A bounding box is the first level, a hundredth of the diagonal away from the input, with eight new
-// vertices; the last level is the input all the same.
+// BOUNDING_BOX: the first level is a box a hundredth of the diagonal away, with eight new vertices;
+// the last is the input.
 TEST(CarvingProperties, StartFromABoundingBox)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -71,7 +71,8 @@ TEST(CarvingProperties, StartFromABoundingBox)
   EXPECT_EQ(GetTriangles(GetLevel(carver, 1)), GetTriangles(sphere));
 }
 
-// The initial approximation is the one property that needs the helper program again.
+// Of all properties of the carving itself, only the initial approximation runs the helper program
+// again.
 TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -95,7 +96,7 @@ TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
   EXPECT_EQ(messages.Errors.size(), 1u);
 }
 
-// To start from a mesh that there is not is an error, which says where it is missed.
+// CUSTOM without a mesh on port 1 is an error that names the port.
 TEST(CarvingProperties, NeedAMeshToStartFrom)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -108,7 +109,7 @@ TEST(CarvingProperties, NeedAMeshToStartFrom)
   EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
 }
 
-// Depth by distance is that of the centroid from the hull, here from the sides of a box.
+// Depth by distance is the distance of the centroid from the hull, here from the sides of a box.
 TEST(CarvingProperties, MeasureDepthAsDistance)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -143,7 +144,7 @@ TEST(CarvingProperties, MeasureDepthAsDistance)
   }
 }
 
-// Whatever the measure, feature size is a length: the smallest priority popped so far as one.
+// The feature size is the smallest priority popped so far, as a length, for every measure.
 TEST(CarvingProperties, GiveFeatureSizeAsALength)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -166,7 +167,7 @@ TEST(CarvingProperties, GiveFeatureSizeAsALength)
   }
 }
 
-// With breadth a stream has fewer steps, and ends at the input all the same.
+// With a breadth radius, a stream has fewer steps and still ends at the input.
 TEST(CarvingProperties, TakeFewerStepsWithBreadth)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -183,7 +184,8 @@ TEST(CarvingProperties, TakeFewerStepsWithBreadth)
   }
 }
 
-// A hollow is a void by winding and by even-odd; left closed, its wall does not show.
+// NONZERO_WINDING and EVEN_ODD both see a hollow as a void; without CarveVoids its wall does not
+// show.
 TEST(CarvingProperties, CarveVoidsOrNot)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -195,7 +197,7 @@ TEST(CarvingProperties, CarveVoidsOrNot)
   EXPECT_EQ(CountTriangles(carver), 12);
 }
 
-// A solid in a solid is hidden by nonzero winding and a hollow by even-odd.
+// A box within a box is hidden with NONZERO_WINDING, and a hollow with EVEN_ODD.
 TEST(CarvingProperties, FollowTheSolidRule)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -204,7 +206,7 @@ TEST(CarvingProperties, FollowTheSolidRule)
   EXPECT_EQ(CountTriangles(carver), 12);
   carver->SetSolidRule(vtkTopologyCarver::EVEN_ODD);
   EXPECT_EQ(CountTriangles(carver), 24);
-  // As a surface, both are carved out from within: their triangles remain, and nothing behind them.
+  // With SURFACE_ONLY, both boxes are carved from inside: only their triangles remain.
   carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
   EXPECT_EQ(CountTriangles(carver), 24);
   vtkDataArray* depth = GetLevel(carver, 0)->GetCellData()->GetArray("Depth");
@@ -226,7 +228,8 @@ TEST(CarvingProperties, AreClamped)
   EXPECT_EQ(carver->GetNumberOfLevels(), 1);
 }
 
-// A number that is not finite is refused with an error that names the property, which stays as it was.
+// A number that is not finite is refused with an error that names the property, which keeps its
+// value.
 TEST(CarvingProperties, RefuseNumbersThatAreNotFinite)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -267,7 +270,7 @@ TEST(CarvingProperties, RefuseNumbersThatAreNotFinite)
   EXPECT_EQ(carver->GetNumberOfLevelTargets(), 0);
 }
 
-// Ten million levels are as many as there can be, and an abort ends their making.
+// The number of levels is at most 1,000, and an abort ends their extraction.
 TEST(CarvingProperties, LimitTheNumberOfLevels)
 {
   vtkNew<vtkTopologyCarver> carver;

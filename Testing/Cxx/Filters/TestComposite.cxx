@@ -22,7 +22,8 @@ vtkMultiBlockDataSet* GetTree(vtkTopologyCarver* carver, int port)
 
 } // namespace
 
-// Each leaf of a multiblock is carved on its own; tree, names and null leaves stay on all ports.
+// Each leaf of a multiblock is carved by itself; all ports keep the tree, the names and null
+// leaves.
 TEST(Composite, CarvesEachLeafOfATree)
 {
   vtkNew<vtkMultiBlockDataSet> scene, group;
@@ -76,7 +77,7 @@ TEST(Composite, CarvesPartitions)
   EXPECT_EQ(vtkMultiBlockDataSet::SafeDownCast(inner->GetBlock(1))->GetNumberOfBlocks(), 1u);
 }
 
-// One leaf that cannot be carved is reported; the others come out all the same.
+// A leaf that cannot be carved is reported, and the other leaves are carved.
 TEST(Composite, GoesOnAfterABadLeaf)
 {
   vtkNew<vtkMultiBlockDataSet> scene;
@@ -95,7 +96,7 @@ TEST(Composite, GoesOnAfterABadLeaf)
     vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);
 }
 
-// Changing a level property tetrahedralizes none of the leaves again.
+// A change of a level property runs the helper program for no leaf.
 TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
 {
   vtkNew<vtkMultiBlockDataSet> scene;
@@ -111,7 +112,7 @@ TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
   EXPECT_TRUE(messages.Errors.empty());
 }
 
-// What is no stream in a tree of streams is named; the levels of the others come out all the same.
+// The extractor names a leaf that is not a stream, and gives the levels of the other leaves.
 TEST(Composite, GivesTheLevelsOfStreamsAlone)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -131,7 +132,7 @@ TEST(Composite, GivesTheLevelsOfStreamsAlone)
   ASSERT_EQ(levels->GetNumberOfBlocks(), 2u);
   EXPECT_EQ(levels->GetBlock(0), nullptr);
   EXPECT_EQ(GetTriangles(vtkPolyData::SafeDownCast(levels->GetBlock(1))), GetTriangles(TwoBoxes()));
-  // A tree of another kind is none of streams either.
+  // A composite of another kind is no tree of streams, either.
   vtkNew<vtkOverlappingAMR> grids;
   const int blocksPerLevel[] = { 1 };
   grids->Initialize(1, blocksPerLevel);
@@ -141,7 +142,7 @@ TEST(Composite, GivesTheLevelsOfStreamsAlone)
   EXPECT_NE(messages.Errors[1].find("A vtkOverlappingAMR is not the stream"), std::string::npos);
 }
 
-// The same filter takes a single mesh after a composite, and the other way round.
+// The same filter takes a single mesh after a composite, and a composite after a mesh.
 TEST(Composite, FollowsTheTypeOfTheInput)
 {
   vtkNew<vtkMultiBlockDataSet> scene;

@@ -24,7 +24,7 @@
 namespace
 {
 
-/** Two triangles through each other, above a third. */
+/** Two triangles that cross each other, above a third. */
 vtkSmartPointer<vtkPolyData> Crossing()
 {
   carving::TriangleMesh mesh;
@@ -49,8 +49,7 @@ std::string GetText(vtkDataObject* data, const char* name)
 
 } // namespace
 
-// The rung that a stream and its levels stand on is in their field data, by the name that the
-// documentation of the filter has for it.
+// The field data of streams and levels name the strategy as the documentation does.
 TEST(Conformity, IsSaidInTheFieldData)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -70,7 +69,7 @@ TEST(Conformity, IsSaidInTheFieldData)
   expectRung("Delaunay, enclosing");
 }
 
-// In enclosing mode no point is made unless told, and a stored stream gives the same levels.
+// In enclosing mode without tolerance, no vertex is new, and a stored stream gives the same levels.
 TEST(Conformity, EnclosingKeepsVerticesAndStreams)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -94,8 +93,8 @@ TEST(Conformity, EnclosingKeepsVerticesAndStreams)
   }
 }
 
-// Vertices that have been moved keep their ids, are new, and say how far they have been moved; so they do
-// on levels that come from the stored stream.
+// Vertices that snapping moved keep their ids, are new, and have the distance; on levels of the
+// stored stream, too.
 TEST(Conformity, SnappedVerticesAreSaidToBeNew)
 {
   std::mt19937_64 random(1);
@@ -106,7 +105,8 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   {
     Messages messages(carver);
     carver->Update();
-    EXPECT_EQ(messages.Errors.size(), 1u); // so do the properties run the helper program again
+    EXPECT_EQ(
+      messages.Errors.size(), 1u); // a change of these properties runs the helper program again
   }
   carver->SetSnapTolerance(1e-6);
   carver->Update();
@@ -133,7 +133,7 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
     moved += distance > 0.0;
   }
   EXPECT_GT(moved, 0);
-  EXPECT_LT(moved, level->GetNumberOfPoints()); // those at 0 and 1 are on any grid
+  EXPECT_LT(moved, level->GetNumberOfPoints()); // points at 0 and 1 are on every grid
   EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), moved);
   vtkNew<vtkExtractCarvedLOD> extract;
   extract->SetInputDataObject(0, carver->GetOutputDataObject(1));
@@ -143,20 +143,20 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   ExpectEqualData(extract->GetOutput(), level);
 }
 
-// Where snapping is of no help either, a note for each attempt says what was tried, snapping among it.
+// If all attempts fail, a note describes each of them, including snapping.
 TEST(Conformity, NotesEveryAttempt)
 {
   std::mt19937_64 random(1);
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(ToPolyData(models::Doubled(models::Sphere(1), 1e-13, random)));
-  carver->SetSnapTolerance(1e-30); // no double near 1 is so near to another
+  carver->SetSnapTolerance(1e-30); // smaller than the spacing of doubles near 1
   carver->Update();
   EXPECT_EQ(GetText(GetLevel(carver, 0), "Strategy"), "Delaunay, enclosing");
   const std::string notes = GetNotes(carver);
   EXPECT_NE(notes.find("An attempt failed. Snapping: on a grid of"), std::string::npos) << notes;
 }
 
-// The input follows as given, with its data, where it is enclosed only and that is wished for.
+// With AppendInput, a mesh that is only enclosed follows as given, with its data.
 TEST(Conformity, AppendsTheInputOnRequest)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -182,7 +182,8 @@ TEST(Conformity, AppendsTheInputOnRequest)
   }
 }
 
-// What is solid matters to the helper program just where triangles inside the solid may have been left out.
+// A change of the solid rule runs the helper program again only if triangles inside the solid may
+// have been left out.
 TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
 {
   std::mt19937_64 random(2);
@@ -203,7 +204,8 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
   }
 }
 
-// Other levels, or the input appended, do not run the helper program again; another conformity does.
+// A change of Conformity runs the helper program again; a change of the levels or of AppendInput
+// does not.
 TEST(Conformity, IsCachedLikeTheOtherSettings)
 {
   vtkNew<vtkTopologyCarver> carver;

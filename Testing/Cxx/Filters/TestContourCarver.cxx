@@ -36,7 +36,7 @@ void AskForAllSteps(vtkContourCarver* carver, vtkPolyData* input)
   carver->Update();
 }
 
-/** A star with a hole, next to a square: a bit of everything. */
+/** A star with a hole, next to a square. */
 vtkSmartPointer<vtkPolyData> Medley()
 {
   return Polygons({ Star(), Reversed(Rectangle(-0.2, -0.2, 0.2, 0.2)), Rectangle(3, 1, 4, 2) });
@@ -55,20 +55,20 @@ double DistanceToEdges(vtkPolyData* contours, const double p[3])
 
 } // namespace
 
-// A U is carved out of its hull: the first level is the hull, the last the U itself.
+// The first level of a U is its hull, the last the U itself.
 TEST(ContourCarver, GoesFromTheHullToTheInput)
 {
   vtkNew<vtkContourCarver> carver;
   auto input = Polygons({ LetterU() });
   Carve(carver, input);
-  // The hull's upper side runs through the four ends of the arms.
+  // The upper side of the hull passes through the four upper corners of the arms.
   const EdgeSet hull = Edges(
     Polygons({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { 0, 2, 0 } } }));
   EXPECT_EQ(Edges(GetLevel(carver, 0)), hull);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
 
-// A polygon's sense of rotation does not matter: its inside is solid and on the left of the edges.
+// Whatever the direction of a polygon, its inside is solid and on the left of the edges.
 TEST(ContourCarver, OrientsLevelsOutward)
 {
   vtkNew<vtkContourCarver> carver;
@@ -76,7 +76,7 @@ TEST(ContourCarver, OrientsLevelsOutward)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
 }
 
-// The hole of a square is carved too, and stays closed without CarveVoids.
+// The hole of a square is carved, and stays filled without CarveVoids.
 TEST(ContourCarver, CarvesHoles)
 {
   vtkNew<vtkContourCarver> carver;
@@ -89,7 +89,8 @@ TEST(ContourCarver, CarvesHoles)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
 }
 
-// Two squares stay joined with a single component to spend; a frame's hole stays closed without a tunnel.
+// With a budget of one component, two squares stay joined; without tunnels, the hole of a frame
+// stays filled.
 TEST(ContourCarver, KeepsToBudgets)
 {
   vtkNew<vtkContourCarver> carver;
@@ -105,8 +106,8 @@ TEST(ContourCarver, KeepsToBudgets)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
 }
 
-// Two squares one in the other, of the same sense: solid by winding, a hole by parity, all carved
-// with neither.
+// A square within a square of the same direction is solid by winding, a hole by parity, and carved
+// as a surface.
 TEST(ContourCarver, FollowsTheSolidRule)
 {
   vtkNew<vtkContourCarver> carver;
@@ -122,7 +123,7 @@ TEST(ContourCarver, FollowsTheSolidRule)
   EXPECT_EQ(LastLevel(carver)->GetNumberOfLines(), 2 * 8);
 }
 
-// Two crossing polylines are split where they meet, in a new vertex with interpolated data.
+// Two crossing polylines are split at a new vertex with interpolated data.
 TEST(ContourCarver, ResolvesCrossings)
 {
   auto input = Polylines({ { { 0, 0, 0 }, { 2, 2, 0 } }, { { 0, 2, 0 }, { 2, 0, 0 } } });
@@ -158,7 +159,8 @@ TEST(ContourCarver, ResolvesCrossings)
   EXPECT_EQ(cells, (std::multiset<double>{ 0, 0, 1, 1 }));
 }
 
-// Area falls from step to step, from that of the hull to that of the input, and M stays inside.
+// The area falls from step to step, from that of the hull to that of the input, and no vertex of
+// the input is outside.
 TEST(ContourCarver, ShrinksToTheInput)
 {
   vtkNew<vtkContourCarver> carver;
@@ -177,7 +179,7 @@ TEST(ContourCarver, ShrinksToTheInput)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
 
-// Every level has the numbers of vertices and edges that the profile says.
+// Every level has the numbers of vertices and edges of its row of the profile.
 TEST(ContourCarver, AgreesWithItsProfile)
 {
   vtkNew<vtkContourCarver> carver;
@@ -194,7 +196,7 @@ TEST(ContourCarver, AgreesWithItsProfile)
   }
 }
 
-// With manifold output an edge begins and an edge ends at every point, on every level.
+// With manifold output, one edge begins and one edge ends at every point of every level.
 TEST(ContourCarver, CutsIntoClosedLoops)
 {
   vtkNew<vtkContourCarver> carver;
@@ -209,7 +211,8 @@ TEST(ContourCarver, CutsIntoClosedLoops)
   }
 }
 
-// Two squares that share a corner are cut apart with manifold output: each gets a copy of it.
+// With manifold output, two squares that share a corner are cut apart, each with a copy of the
+// corner.
 TEST(ContourCarver, CutsTouchingSquaresApart)
 {
   vtkNew<vtkContourCarver> carver;
@@ -242,8 +245,8 @@ TEST(ContourCarver, StreamsToTheExtractor)
   }
 }
 
-// Priorities are what each measure says of a triangle, over a power of its centroid's distance from the
-// first level.
+// A priority is the measure of the triangle, divided by a power of the distance of its centroid
+// from the first level.
 TEST(ContourCarver, TakesMeasuresAndDepth)
 {
   for (const int measure : { vtkContourCarver::LONGEST_EDGE, vtkContourCarver::VOLUME,
@@ -275,7 +278,7 @@ TEST(ContourCarver, TakesMeasuresAndDepth)
         { vtkMath::Distance2BetweenPoints(p[0], p[1]), vtkMath::Distance2BetweenPoints(p[1], p[2]),
           vtkMath::Distance2BetweenPoints(p[2], p[0]) }));
       const double area = triangle->ComputeArea();
-      // At most the diagonal of all.
+      // At most the diagonal of the input.
       const double radius = std::min(
         std::sqrt(vtkTriangle::Circumcircle(p[0], p[1], p[2], center)), input->GetLength());
       const double measures[] = { longest, area, radius, std::sqrt(longest * std::sqrt(area)) };
@@ -290,7 +293,7 @@ TEST(ContourCarver, TakesMeasuresAndDepth)
   }
 }
 
-// With breadth a stream has fewer steps, and ends at the input all the same.
+// With a breadth radius, a stream has fewer steps and still ends at the input.
 TEST(ContourCarver, TakesFewerStepsWithBreadth)
 {
   vtkNew<vtkContourCarver> carver;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkContourCarver takes and what it rejects.
+// The inputs that vtkContourCarver accepts and rejects.
 #include "ContourTesting.h"
 #include "FilterTesting.h"
 
@@ -32,7 +32,8 @@ Loop Mapped(const Loop& loop, const carving::Point& u, const carving::Point& v)
 
 } // namespace
 
-// In any plane the first and last levels are those of the plane z = 0, and vertices are the input's.
+// In any plane, the first and last levels are those of the plane z = 0, with the vertices of the
+// input.
 TEST(ContourInput, WorksInAnyPlane)
 {
   const carving::Point directions[][2] = { { { 0, 1, 0 }, { 0, 0, 1 } }, // facing x
@@ -54,7 +55,7 @@ TEST(ContourInput, WorksInAnyPlane)
   }
 }
 
-// The bounding box starts as a rectangle of new vertices, a hundredth of the diagonal away.
+// BOUNDING_BOX: the first level is a rectangle of new vertices, a hundredth of the diagonal away.
 TEST(ContourInput, StartsFromABox)
 {
   vtkNew<vtkContourCarver> carver;
@@ -73,7 +74,7 @@ TEST(ContourInput, StartsFromABox)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
 
-// A contour of one's own is the first level, and may touch the input.
+// CUSTOM: the given contour is the first level, and may touch the input.
 TEST(ContourInput, StartsFromAGivenContour)
 {
   vtkNew<vtkContourCarver> carver;
@@ -89,7 +90,7 @@ TEST(ContourInput, StartsFromAGivenContour)
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
 
-// What a given contour lacks is named.
+// An unsuitable contour for CUSTOM is an error that names the missing condition.
 TEST(ContourInput, NamesWhatAGivenContourLacks)
 {
   const auto square = Rectangle(-9, -9, 9, 9);
@@ -117,20 +118,19 @@ TEST(ContourInput, NamesWhatAGivenContourLacks)
   }
 }
 
-// A point off the plane is named, with its distance.
+// A point off the plane is an error that names the point and its distance.
 TEST(ContourInput, NamesAPointOffThePlane)
 {
   vtkNew<vtkContourCarver> carver;
   Messages messages(carver);
   Carve(carver, Polygons({ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0 } } }));
   ASSERT_EQ(messages.Errors.size(), 1u);
-  // From the plane of the three others: 0.1 / sqrt(1.01).
+  // The distance from the plane of the three other points: 0.1 / sqrt(1.01).
   EXPECT_NE(messages.Errors[0].find("Point 3 is 0.0995037 away"), std::string::npos)
     << messages.Errors[0];
 }
 
-// Contours on one line have no hull to carve, edges without length are nothing; a point at infinity is
-// named.
+// Contours on one line and infinite points are errors; edges without length are empty input.
 TEST(ContourInput, RejectsALineAPointAndInfinity)
 {
   vtkNew<vtkContourCarver> carver;
@@ -147,7 +147,7 @@ TEST(ContourInput, RejectsALineAPointAndInfinity)
     << messages.Errors[2];
 }
 
-// Vertices and strips are passed over with a note, ghost cells without.
+// Vertices and strips are ignored with a note, ghost cells without.
 TEST(ContourInput, PassesOverWhatIsNoContour)
 {
   auto input = Polygons({ LetterU(), Rectangle(7, 7, 8, 8) });

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Streams with cells and points as damaged or foreign files may have them: each is refused in one error that
- * names what is wrong.
+ * Streams with damaged cells and points: each is refused with a single error that names the damage.
  */
 #include "FilterTesting.h"
 #include "StreamTesting.h"
@@ -21,7 +20,7 @@
 
 #include <limits>
 
-// A cell whose corners are not among the points is named.
+// A cell with a corner that does not exist is named.
 TEST(DamagedCells, AreRefusedForCornersThatAreNoPoints)
 {
   for (const double corner : { -1.0, 1e6, 9e18 })
@@ -32,7 +31,7 @@ TEST(DamagedCells, AreRefusedForCornersThatAreNoPoints)
   }
 }
 
-// A cell that lacks corners, or has too many, is named, whatever it calls itself.
+// A cell with too few or too many corners is named, whatever its type.
 TEST(DamagedCells, AreRefusedForCellsOfOtherCorners)
 {
   for (const int type : { VTK_TETRA, VTK_TRIANGLE, VTK_LINE })
@@ -61,7 +60,7 @@ TEST(DamagedCells, AreRefusedForCellsOfOtherCorners)
   }
 }
 
-// Types, offsets and corners of cells that contradict each other are refused before any is followed.
+// Types, offsets and corners of cells that contradict each other are refused before they are used.
 TEST(DamagedCells, AreRefusedForArraysOfCellsThatContradictEachOther)
 {
   const char* text = "the types, offsets and corners of its cells contradict each other";
@@ -79,7 +78,7 @@ TEST(DamagedCells, AreRefusedForArraysOfCellsThatContradictEachOther)
   ExpectError(fewCorners, text);
 }
 
-// A grid without points, and one with points that are nowhere, are refused.
+// A grid without points, or with points that are not finite, is refused.
 TEST(DamagedCells, AreRefusedForTheirPoints)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -95,7 +94,7 @@ TEST(DamagedCells, AreRefusedForTheirPoints)
   ExpectError(pointless, "there are 0 points");
 }
 
-// A tetrahedron with a corner twice, or a third on one face, is named as what does not fit.
+// A tetrahedron with a repeated corner, or the third one at a face, is refused.
 TEST(DamagedCells, AreRefusedForCellsThatDoNotFit)
 {
   const auto twice = MakeStream();
@@ -111,7 +110,8 @@ TEST(DamagedCells, AreRefusedForCellsThatDoNotFit)
   ExpectError(three, "its cells do not fit together");
 }
 
-// What has nothing of a stream but cells, or a stream of triangles only, gives an error or the mesh.
+// A foreign tetrahedron is refused; the stream of a convex mesh, which has triangles only, is
+// accepted.
 TEST(DamagedCells, MayHaveNoCellsOfTheComplement)
 {
   vtkNew<vtkUnstructuredGrid> foreign;

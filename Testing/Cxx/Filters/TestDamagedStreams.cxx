@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Streams with arrays as damaged or foreign files may have them: each is refused in one error that names the
- * array and what is wrong with it.
+ * Streams with damaged arrays: each is refused with a single error that names the array and the
+ * damage.
  */
 #include "StreamTesting.h"
 
@@ -45,7 +45,7 @@ struct Name
   const char* Text;
 };
 
-/** All arrays that the levels, or their choice, depend on. */
+/** All arrays on which the levels, or their selection, depend. */
 const Name AllNames[] = { { Place::Points, "vtkOriginalPointIds" },
   { Place::Points, "SnapDistance" }, { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
   { Place::Cells, "Step" }, { Place::Cells, "Region" }, { Place::Cells, "SolidSides" },
@@ -90,7 +90,7 @@ std::string Quoted(const Name& name)
 void ExpectValueRefused(vtkUnstructuredGrid* whole, const Name& name, vtkIdType at, double value)
 {
   Taken taken(whole, name);
-  vtkNew<vtkDoubleArray> changed; // the other types have no place for some values
+  vtkNew<vtkDoubleArray> changed; // other types cannot hold some of the values
   changed->DeepCopy(taken.Array);
   changed->SetValue(at, value);
   taken.Add(name, changed);
@@ -99,14 +99,14 @@ void ExpectValueRefused(vtkUnstructuredGrid* whole, const Name& name, vtkIdType 
 
 } // namespace
 
-// Unchanged, the streams of these tests are accepted.
+// The undamaged streams of these tests are accepted.
 TEST(DamagedStreams, AreRefusedForTheDamageOnly)
 {
   EXPECT_EQ(ErrorOf(MakeStream()), "");
   EXPECT_EQ(ErrorOf(MakeStream(true)), "");
 }
 
-// An array that is shorter or longer than it must be is named, in space and in the plane.
+// An array that is too short or too long is named, in space and in the plane.
 TEST(DamagedStreams, AreRefusedForArraysOfAnotherLength)
 {
   for (const bool plane : { false, true })
@@ -125,7 +125,7 @@ TEST(DamagedStreams, AreRefusedForArraysOfAnotherLength)
           numbers->SetTuple1(length, numbers->GetTuple1(length - 1));
         }
         taken.Add(name, taken.Array);
-        // All other arrays of the profile are held against the priorities.
+        // The lengths of all arrays of the profile are compared with that of the priorities.
         const bool measure = std::string(name.Text) == "ProfilePriority";
         ExpectError(taken.Stream, measure ? "the array \"Profile" : Quoted(name) + "has ");
       }
@@ -133,7 +133,7 @@ TEST(DamagedStreams, AreRefusedForArraysOfAnotherLength)
   }
 }
 
-// Data of the input that a filter in between has made shorter is named too: levels would have it.
+// An array of the input that a filter has shortened is named, since levels would pass it on.
 TEST(DamagedStreams, AreRefusedForDataOfAnotherLength)
 {
   for (const Place place : { Place::Points, Place::Cells })
@@ -147,7 +147,7 @@ TEST(DamagedStreams, AreRefusedForDataOfAnotherLength)
   }
 }
 
-// An array that is missing is named; only what not every stream has may be.
+// A missing array is named, unless it is optional.
 TEST(DamagedStreams, AreRefusedForArraysThatAreMissing)
 {
   const auto whole = MakeStream();
@@ -167,7 +167,7 @@ TEST(DamagedStreams, AreRefusedForArraysThatAreMissing)
   }
 }
 
-// Text in the place of numbers, and numbers in that of text, are named.
+// Text instead of numbers, and numbers instead of text, are named.
 TEST(DamagedStreams, AreRefusedForArraysOfAnotherType)
 {
   const auto whole = MakeStream();
@@ -204,7 +204,7 @@ TEST(DamagedStreams, AreRefusedForArraysOfSeveralComponents)
   }
 }
 
-// What no integer holds is refused in every array of integers.
+// A value that is not an integer is refused in every array of integers.
 TEST(DamagedStreams, AreRefusedForValuesThatAreNoIntegers)
 {
   const auto whole = MakeStream();
@@ -225,7 +225,7 @@ TEST(DamagedStreams, AreRefusedForValuesThatAreNoIntegers)
   }
 }
 
-// Integers that stand for nothing are refused: steps that there are not, unknown settings, less than none.
+// Integers out of range are refused: unknown steps and settings, negative counts.
 TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
 {
   const auto whole = MakeStream();
@@ -251,8 +251,7 @@ TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
   }
 }
 
-// Measures that cannot be are refused: not a number where there must be one, negative or infinite ones,
-// a volume that grows.
+// Impossible measures are refused: NaN, negative or infinite values, a volume that grows.
 TEST(DamagedStreams, AreRefusedForMeasuresThatCannotBe)
 {
   const auto whole = MakeStream();
@@ -274,7 +273,7 @@ TEST(DamagedStreams, AreRefusedForMeasuresThatCannotBe)
   ExpectValueRefused(whole, { Place::Field, "ProfileVolume" }, 1, 1e30);
 }
 
-// Counts that are not those of the cells are refused.
+// Counts that contradict the cells are refused.
 TEST(DamagedStreams, AreRefusedForAProfileOfOtherCells)
 {
   for (const bool plane : { false, true })

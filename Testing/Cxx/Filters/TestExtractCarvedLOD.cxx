@@ -10,6 +10,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 #include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -18,7 +19,7 @@
 namespace
 {
 
-/** The stream as from a file: nothing but the data. */
+/** The stream as from a file, without its filter. */
 vtkSmartPointer<vtkUnstructuredGrid> CopyStream(vtkTopologyCarver* carver)
 {
   auto stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -28,8 +29,8 @@ vtkSmartPointer<vtkUnstructuredGrid> CopyStream(vtkTopologyCarver* carver)
 
 } // namespace
 
-// Every level of a stream is bit for bit the one that the carver gives, cut or not, with both sides of
-// folds or one.
+// Every level is bit for bit the one that the carver gives, cut or not, with one or both sides of
+// folds.
 TEST(ExtractCarvedLOD, GivesTheCarversLevels)
 {
   for (const char* mesh : { "bones.off", "elephant.off" })
@@ -57,7 +58,7 @@ TEST(ExtractCarvedLOD, GivesTheCarversLevels)
   }
 }
 
-// Targets of each kind pick the same step as in the carver.
+// Targets of each type pick the same step as in the carver.
 TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -81,7 +82,7 @@ TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
   }
 }
 
-// A feature size stops before the first pop with a priority of at most that.
+// A feature size gives the step before the first pop with a priority of at most that size.
 TEST(ExtractCarvedLOD, StopsBeforeAFeatureSize)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -114,7 +115,8 @@ TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
   EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
 }
 
-// A grid that is no stream, has lost an array, or has a cell with a corner twice, is refused in one error.
+// A grid that is no stream, lacks an array, or has a cell with a repeated corner is refused with
+// one error.
 TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -141,7 +143,23 @@ TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
   }
 }
 
-// A changed stream is read anew.
+// The profile of a stored stream is that of the carver; without a stream there is none.
+TEST(ExtractCarvedLOD, GivesTheCarversProfile)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(TwoBoxes());
+  carver->ComputeErrorOn();
+  carver->Update();
+  vtkNew<vtkExtractCarvedLOD> extract;
+  vtkNew<vtkTable> profile;
+  EXPECT_FALSE(extract->GetProfile(profile));
+  extract->SetInputData(CopyStream(carver));
+  EXPECT_TRUE(extract->GetProfile(profile));
+  EXPECT_GT(profile->GetNumberOfRows(), 1);
+  ExpectEqualData(carver->GetOutputDataObject(2), profile);
+}
+
+// A changed stream is read again.
 TEST(ExtractCarvedLOD, FollowsAChangedStream)
 {
   vtkNew<vtkTopologyCarver> carver;

@@ -17,7 +17,7 @@
 namespace
 {
 
-/** Updates with another helper: an error that has `words`, and then, with the real one, levels. */
+/** Expects an error with `words` from another helper program, and then levels from the real one. */
 void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
 {
   const Leftovers leftovers;
@@ -39,7 +39,7 @@ void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
   EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
 }
 
-/** The error that an input gives. */
+/** The error for an input. */
 std::string ErrorFor(vtkPolyData* input)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -51,7 +51,7 @@ std::string ErrorFor(vtkPolyData* input)
   return messages.Errors.empty() ? "" : messages.Errors[0];
 }
 
-/** While it lives, aborts a filter as soon as it has reported a stage so many times. */
+/** During its lifetime, aborts a filter once it has reported a stage a number of times. */
 class Aborter
 {
 public:
@@ -91,14 +91,14 @@ vtkSmartPointer<vtkPolyData> LargeSpheres()
 
 } // namespace
 
-// A missing helper is an error that names the variable and the path.
+// A missing helper program is an error that names the environment variable and the path.
 TEST(Faults, ReportsAMissingHelper)
 {
   ExpectErrorAndRecovery("/there/is/no/such/helper", OtherHelper("/there/is/no/such/helper"));
   ExpectErrorAndRecovery("TOPOLOGYCARVING_HELPER", OtherHelper("/there/is/no/such/helper"));
 }
 
-// A file that is not a program, or is one of another machine's, is an error as well.
+// A helper that is no program, or one for another machine, is an error.
 TEST(Faults, ReportsAHelperThatIsNoProgram)
 {
   ExpectErrorAndRecovery("not an executable file", OtherHelper(__FILE__));
@@ -112,13 +112,13 @@ TEST(Faults, ReportsAHelperThatIsNoProgram)
   ExpectErrorAndRecovery("carving-helper could not be run", std::move(uninterpreted));
 }
 
-// A helper that is killed in mid-run is an error that says so.
+// A helper program that is killed is an error that says so.
 TEST(Faults, ReportsAKilledHelper)
 {
   ExpectErrorAndRecovery("died", OtherHelper::Script("kill -KILL $$"));
 }
 
-// A helper that crashes is an error that repeats its last words and where it was.
+// A helper program that crashes is an error with its last words and the stage of its work.
 TEST(Faults, RepeatsTheLastWordsOfACrashedHelper)
 {
   ExpectErrorAndRecovery("Assertion failed: it hurts",
@@ -127,20 +127,20 @@ TEST(Faults, RepeatsTheLastWordsOfACrashedHelper)
     "resolve", OtherHelper::Script("echo '@progress 1 0.5' >&2; kill -SEGV $$"));
 }
 
-// A helper that exits with a code of its own is an error that gives the code.
+// A helper program that exits with another code than 0 is an error with the code.
 TEST(Faults, ReportsAnExitCode)
 {
   ExpectErrorAndRecovery("exit code 7", OtherHelper::Script("exit 7"));
 }
 
-// A helper that answers garbage, or nothing, is an error that says that its answer cannot be used.
+// An invalid or empty reply is an error that says that the answer cannot be used.
 TEST(Faults, ReportsGarbage)
 {
   ExpectErrorAndRecovery("cannot be used", OtherHelper::Script("echo garbage"));
   ExpectErrorAndRecovery("cannot be used", OtherHelper::Script("exit 0"));
 }
 
-// A helper that hangs is killed as soon as the user aborts, with what it has started; that is no error.
+// An abort kills a hanging helper program and its child processes, without an error.
 TEST(Faults, KillsAHangingHelperOnAbort)
 {
   for (const char* hang : { "exec sleep 1000", "sleep 1000 & wait", "(sleep 1000 & wait) & wait" })
@@ -161,7 +161,7 @@ TEST(Faults, KillsAHangingHelperOnAbort)
   }
 }
 
-// An abort at any stage gives empty output, and the filter works again at once.
+// An abort at any stage gives empty output, and the next update works.
 TEST(Faults, CanBeAbortedAtEveryStage)
 {
   auto input = ReadReal("bones.off");
@@ -184,7 +184,7 @@ TEST(Faults, CanBeAbortedAtEveryStage)
   }
 }
 
-// An abort in the middle of an attempt, which is a process of the helper's, ends that too.
+// An abort also ends the child process that makes an attempt.
 TEST(Faults, CanBeAbortedWithinAnAttempt)
 {
   const auto input = LargeSpheres();
@@ -203,8 +203,8 @@ TEST(Faults, CanBeAbortedWithinAnAttempt)
   }
 }
 
-// A limit on memory or time that is too low is an error that says so and names the limit, whatever has to
-// be met; without it the same filter works.
+// A limit that is too low is an error that names the limit, in every mode; without the limit the
+// filter works.
 TEST(Faults, ReportsALimitThatIsReached)
 {
   const auto input = LargeSpheres();
@@ -216,7 +216,7 @@ TEST(Faults, ReportsALimitThatIsReached)
     Messages messages(carver);
     carver->SetInputData(input);
     carver->SetConformity(conformity);
-    // Room for a part of the work, more of it from round to round.
+    // Memory for a part of the work, more in each round.
     for (const int mebibytes : { 20, 40, 60 })
     {
       carver->SetMemoryLimit(mebibytes);
@@ -244,7 +244,7 @@ TEST(Faults, ReportsALimitThatIsReached)
   }
 }
 
-// Limits beyond what the system can count are none.
+// Limits beyond the range of the system are no limits.
 TEST(Faults, TakesAnyLimit)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -257,7 +257,7 @@ TEST(Faults, TakesAnyLimit)
   EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
 }
 
-// Where a job, or a reply, cannot be written, that is an error that says so.
+// A job or a reply that cannot be written is an error that says so.
 TEST(Faults, ReportsThatThereIsNoRoom)
 {
   for (const int conformity :
@@ -288,7 +288,7 @@ TEST(Faults, ReportsThatThereIsNoRoom)
   }
 }
 
-// Where no file can be opened, that is an error that says so, and no end of the process.
+// If no file can be opened, that is an error that says so, and the process goes on.
 TEST(Faults, ReportsThatNoFileCanBeOpened)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -308,8 +308,8 @@ TEST(Faults, ReportsThatNoFileCanBeOpened)
   EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
 }
 
-// A mesh that TetGen refuses is an error if it has to be exact, which says who gave up and what to do; the
-// host lives on, and the same filter encloses the mesh if it need not be.
+// In EXACT mode, a mesh that TetGen refuses is an error with advice; in AUTO mode, the same filter
+// encloses the mesh.
 TEST(Faults, ReportsThatTetGenGaveUp)
 {
   std::mt19937_64 random(1);
@@ -317,7 +317,7 @@ TEST(Faults, ReportsThatTetGenGaveUp)
   Messages messages(carver);
   carver->SetInputData(ToPolyData(models::Soup(200, random)));
   carver->SetConformity(vtkTopologyCarver::EXACT);
-  carver->SetTimeLimit(0.5); // it would take many times that, with points on the triangles
+  carver->SetTimeLimit(0.5); // points on the triangles would take many times as long
   carver->Update();
   EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
   ASSERT_EQ(messages.Errors.size(), 1u);
@@ -342,7 +342,7 @@ TEST(Faults, NamesThePointThatIsNotFinite)
   }
 }
 
-// A point that is not finite does not matter where no polygon uses it.
+// A point that is not finite is ignored if no polygon uses it.
 TEST(Faults, IgnoresUnusedPoints)
 {
   auto input = TwoBoxes();

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-// Eight levels of a foot's bones look as they did when a person found them right.
+// Eight levels of the bones of a foot look like the approved baseline image.
 TEST(Image, LevelsOfBones)
 {
   vtkNew<vtkTopologyCarver> carver;

@@ -31,7 +31,7 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/** The one error of a carver. */
+/** The single error of a carver. */
 std::string ErrorOf(vtkCarverAlgorithm* carver, vtkDataObject* input)
 {
   Messages messages(carver);
@@ -48,7 +48,7 @@ std::string ErrorOf(vtkDataObject* input)
   return ErrorOf(carver, input);
 }
 
-/** Two boxes whose gap is as wide as the time. */
+/** Two boxes; the time is the width of their gap. */
 class MovingBoxes : public vtkPolyDataAlgorithm
 {
 public:
@@ -84,7 +84,7 @@ vtkStandardNewMacro(MovingBoxes);
 
 } // namespace
 
-// Cells that are blanked or of another process are as good as not there, whatever their points.
+// Hidden cells and ghost cells are ignored, whatever their points.
 TEST(Input, SkipsHiddenCells)
 {
   auto input = TwoBoxes();
@@ -103,7 +103,7 @@ TEST(Input, SkipsHiddenCells)
   EXPECT_EQ(LastLevel(carver)->GetBounds()[1], 1.0);
 }
 
-// What is not polygonal is an error that says which filter makes it so.
+// Data that are not polygonal are an error that names Extract Surface.
 TEST(Input, NamesExtractSurfaceForGrids)
 {
   vtkNew<vtkImageData> image;
@@ -122,13 +122,13 @@ TEST(Input, NamesExtractSurfaceForGrids)
       EXPECT_NE(error.find("Extract Surface"), std::string::npos) << error;
     }
   }
-  // The same filter takes polygons next.
+  // The same filter then takes polygons.
   carver->SetInputData(TwoBoxes());
   carver->Update();
   EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
 }
 
-// An input that changes with time is carved for the time that is asked for, and its times pass through.
+// An input that changes with time is carved for the requested time, and its times pass through.
 TEST(Input, IsCarvedForTheTimeAskedFor)
 {
   vtkNew<MovingBoxes> source;
@@ -149,7 +149,7 @@ TEST(Input, IsCarvedForTheTimeAskedFor)
   }
 }
 
-// Data of every type arrives on every level, also at the corners of a box, which are new points.
+// Arrays of every type are passed on to every level, also to new points.
 TEST(Input, CarriesArraysOfEveryType)
 {
   auto input = TwoBoxes();
@@ -211,7 +211,7 @@ TEST(Input, CarriesArraysOfEveryType)
   }
 }
 
-// A level can be carved again: what its arrays are called does not get in the way.
+// A level can be carved again, whatever the names of its arrays.
 TEST(Input, MayBeALevel)
 {
   const auto first = Carve(ToPolyData(models::Joined(
@@ -229,7 +229,7 @@ TEST(Input, MayBeALevel)
   EXPECT_EQ(ids.size(), static_cast<std::size_t>(level->GetNumberOfCells()));
 }
 
-// Coordinates in single precision are those of the levels, in double precision.
+// Coordinates in single precision become the same numbers in double precision.
 TEST(Input, MayBeInSinglePrecision)
 {
   auto input = ToPolyData(models::Torus(1.0, 0.3, 9, 6));
@@ -243,7 +243,7 @@ TEST(Input, MayBeInSinglePrecision)
   EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input));
 }
 
-// Far from the origin, tiny or huge, a mesh is carved as it is where it is.
+// A mesh of any size, at any distance from the origin, is carved.
 TEST(Input, MayBeOfAnySizeAndPlace)
 {
   const auto torus = models::Torus(1.0, 0.3, 9, 6);
@@ -263,7 +263,7 @@ TEST(Input, MayBeOfAnySizeAndPlace)
   }
 }
 
-// Coordinates whose products overflow or vanish are an error that says to scale.
+// Coordinates whose products overflow or vanish are an error that advises scaling.
 TEST(Input, MustNotOverflow)
 {
   const auto scaled = [](double s) {
@@ -273,8 +273,8 @@ TEST(Input, MustNotOverflow)
   EXPECT_NE(ErrorOf(scaled(1e-100)).find("Scale the input"), std::string::npos);
 }
 
-// One triangle has a hull without volume, which is an error that names what would work; a box around
-// it works.
+// One triangle has a hull without volume, which is an error that advises a box; with a box it is
+// carved.
 TEST(Input, MayBeOneTriangleInABox)
 {
   auto input = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
@@ -288,7 +288,7 @@ TEST(Input, MayBeOneTriangleInABox)
   EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input));
 }
 
-// Of several points that are not finite the first one is named, whichever cell comes first.
+// If several points are not finite, the error names the first point, in any order of the cells.
 TEST(Input, NamesTheFirstPointThatIsNotFinite)
 {
   auto input = QuadBoxes();
@@ -298,7 +298,7 @@ TEST(Input, NamesTheFirstPointThatIsNotFinite)
   EXPECT_NE(ErrorOf(input).find("Point 4 is (0, 0, inf)"), std::string::npos);
 }
 
-// A cell with a point that there is not is an error that names both, in space and in the plane.
+// A cell with a point that does not exist is an error that names both, in space and in the plane.
 TEST(Input, NamesACellWithAnUnknownPoint)
 {
   for (const vtkIdType unknown : { -1, 16 })
@@ -316,7 +316,7 @@ TEST(Input, NamesACellWithAnUnknownPoint)
   }
 }
 
-// Points, vertices and lines alone are nothing to carve: no level, no error, a note for the cells.
+// Points, vertices and lines alone give no level and no error, but a note on the cells.
 TEST(Input, MayHaveNoTriangle)
 {
   auto input = TwoBoxes();

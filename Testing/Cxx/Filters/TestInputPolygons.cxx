@@ -12,7 +12,7 @@
 
 using carving::Point;
 
-// Polygons may have corners in the middle of straight sides, wherever they begin.
+// Polygons may have corners within straight sides, also as the first corner.
 TEST(InputPolygons, MayHaveCollinearPoints)
 {
   // A cube of side 2 with a point in the middle of every edge.
@@ -46,7 +46,7 @@ TEST(InputPolygons, MayHaveCollinearPoints)
   EXPECT_DOUBLE_EQ(GetVolume(GetLevel(carver, 0)), 8.0);
 }
 
-// A polygon whose boundary goes through a cut to a hole and back has that hole.
+// A polygon whose boundary follows a cut to a hole and back has that hole.
 TEST(InputPolygons, MayHaveHoles)
 {
   std::vector<Point> points;
@@ -72,7 +72,7 @@ TEST(InputPolygons, MayHaveHoles)
   EXPECT_DOUBLE_EQ(GetVolume(LastLevel(carver)), 12.0);
 }
 
-// A polygon that names a corner twice in a row, or two equal points, is the polygon without it.
+// A polygon with repeated corners, or equal consecutive points, equals the polygon without them.
 TEST(InputPolygons, MayHaveRepeatedCorners)
 {
   auto boxes = TwoBoxes();
@@ -106,7 +106,7 @@ TEST(InputPolygons, MayHaveRepeatedCorners)
   EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(boxes));
 }
 
-// A polygon that crosses itself is not lost: its corners stay enclosed, and a note counts it.
+// A polygon that crosses itself is kept: its corners are enclosed, and a note counts it.
 TEST(InputPolygons, MayCrossThemselves)
 {
   vtkSmartPointer<vtkPolyData> mesh = QuadBoxes();
@@ -125,7 +125,7 @@ TEST(InputPolygons, MayCrossThemselves)
   }
 }
 
-// Strips keep their orientation, and may turn back on repeated corners.
+// Strips keep their orientation, and may turn by repeated corners.
 TEST(InputPolygons, MayBeStripsWithRepeatedCorners)
 {
   const carving::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
@@ -133,12 +133,12 @@ TEST(InputPolygons, MayBeStripsWithRepeatedCorners)
   vtkNew<vtkCellArray> strips;
   strips->InsertNextCell({ 0, 4, 1, 5, 3, 7, 2, 6, 0, 4 }); // around
   strips->InsertNextCell(
-    { 0, 1, 2, 3, 3, 3, 4, 4, 5, 6, 7 }); // bottom and, without area, to the top
+    { 0, 1, 2, 3, 3, 3, 4, 4, 5, 6, 7 }); // the bottom and, by triangles without area, the top
   input->SetStrips(strips);
   EXPECT_DOUBLE_EQ(std::abs(GetVolume(LastLevel(Carve(input)))), 1.0);
 }
 
-// Cells with fewer corners than a triangle bound nothing.
+// Cells with fewer than three corners are ignored.
 TEST(InputPolygons, MayHaveTooFewCorners)
 {
   vtkSmartPointer<vtkPolyData> mesh = QuadBoxes();
@@ -149,8 +149,8 @@ TEST(InputPolygons, MayHaveTooFewCorners)
   EXPECT_EQ(GetTriangles(LastLevel(Carve(mesh))), expected);
 }
 
-// Equal triangles count once where they face the same way; where they do not, neither gets lost: a
-// sheet with two sides is a fold, and boxes that share a side are one solid.
+// Equal triangles of the same orientation count once; opposite ones make a fold, or join two
+// solids.
 TEST(InputPolygons, MayCoincide)
 {
   const auto boxes =

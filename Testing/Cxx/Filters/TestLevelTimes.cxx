@@ -58,7 +58,7 @@ TEST_F(LevelTimes, NeedNotBeNumbers)
   EXPECT_EQ(this->StepAt(std::numeric_limits<double>::quiet_NaN()), 0);
 }
 
-// Times are offered before anything has been carved, as many as are wished for.
+// Times are offered before the first carving, in the requested number.
 TEST_F(LevelTimes, AreOfferedFromTheStart)
 {
   this->Extract->SetNumberOfTimeSteps(4);
@@ -67,7 +67,7 @@ TEST_F(LevelTimes, AreOfferedFromTheStart)
   EXPECT_TRUE(this->GetTimes().empty());
 }
 
-// The times go through the levels that the carver spreads, from C0 to M.
+// The times stand for the levels that the carver spreads, from C0 to M.
 TEST_F(LevelTimes, GoThroughTheLevelsOfTheCarver)
 {
   constexpr int count = 7;
@@ -82,7 +82,7 @@ TEST_F(LevelTimes, GoThroughTheLevelsOfTheCarver)
   EXPECT_EQ(this->StepAt(100.0), GetLevelStep(this->Carver, count - 1));
 }
 
-// Where there are fewer levels than times, levels show more than once, in order.
+// If there are fewer levels than times, levels show more than once, in order.
 TEST_F(LevelTimes, MayOutnumberTheLevels)
 {
   this->Carver->SetInputData(TwoBoxes());
@@ -98,7 +98,7 @@ TEST_F(LevelTimes, MayOutnumberTheLevels)
   EXPECT_EQ(last, GetLevelStep(this->Carver, 0));
 }
 
-// Without a time to follow, the target picks the level.
+// Without a requested time, the target picks the level.
 TEST_F(LevelTimes, LeaveTheTargetAloneIfNobodyAsksForATime)
 {
   this->Extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
@@ -107,7 +107,7 @@ TEST_F(LevelTimes, LeaveTheTargetAloneIfNobodyAsksForATime)
   EXPECT_EQ(this->Extract->GetOutput()->GetFieldData()->GetArray("Step")->GetTuple1(0), 3);
 }
 
-// An input that has time steps of its own keeps them.
+// An input with time steps of its own keeps them.
 TEST_F(LevelTimes, GiveWayToThoseOfTheInput)
 {
   vtkNew<vtkTrivialProducer> moving;
@@ -122,7 +122,7 @@ TEST_F(LevelTimes, GiveWayToThoseOfTheInput)
   EXPECT_EQ(this->StepAt(0.75), 3);
 }
 
-// Every object of a composite follows the same time, and the tree stays.
+// All objects of a composite follow the same time, and the tree stays.
 TEST_F(LevelTimes, MoveAllObjectsOfAComposite)
 {
   vtkNew<vtkMultiBlockDataSet> scene;
@@ -143,7 +143,7 @@ TEST_F(LevelTimes, MoveAllObjectsOfAComposite)
   }
 }
 
-// The range of targets is known as soon as there is a stream, and is that of all streams together.
+// The range of targets is known once there is a stream, and covers all streams.
 TEST_F(LevelTimes, ComeWithTheRangeOfTheTargets)
 {
   const auto vertices = static_cast<double>(models::TwoSpheres().Points.size());
@@ -159,6 +159,6 @@ TEST_F(LevelTimes, ComeWithTheRangeOfTheTargets)
   this->Carver->SetInputData(scene);
   this->Carver->Update();
   EXPECT_TRUE(this->Extract->GetLevelTargetRange(vtkExtractCarvedLOD::VERTICES, range));
-  EXPECT_EQ(range[0], 16); // all points of two boxes side by side lie on their hull
+  EXPECT_EQ(range[0], 16); // all points of two boxes lie on their hull
   EXPECT_EQ(range[1], vertices);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What levels, the profile and the stored stream say about components, tunnels and voids.
+ * The components, tunnels, voids and errors of levels, the profile and the stored stream.
  */
 #include "FilterTesting.h"
 #include "RealMeshes.h"
@@ -56,8 +56,8 @@ carving::TriangleMesh Box(double x, double y, double size = 1.0)
 
 } // namespace
 
-// The first level is one piece; two boxes end as two, a torus with its tunnel, a shell with its void,
-// whose wall is a component of the surface.
+// The last levels of two boxes, a torus and a shell have two components, a tunnel and a void; the
+// first levels have one component.
 TEST(LevelTopology, CountsPiecesTunnelsAndVoids)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -71,8 +71,8 @@ TEST(LevelTopology, CountsPiecesTunnelsAndVoids)
   EXPECT_EQ(GetLastTopology(models::Joined(models::Sphere(1), hollow)), (Numbers{ 1, 0, 1, 2, 0 }));
 }
 
-// Boxes in a row that touch in edges are one closed set, and four around a gap have a tunnel; their
-// surfaces are apart.
+// Boxes that touch in edges are one component of the closed complex, but several surfaces; a ring
+// of them has a tunnel.
 TEST(LevelTopology, TellsTouchingFromJoined)
 {
   const auto row = models::Joined(Box(0, 0), Box(1, 1));
@@ -82,7 +82,7 @@ TEST(LevelTopology, TellsTouchingFromJoined)
   EXPECT_EQ(GetLastTopology(ring), (Numbers{ 1, 1, 0, 4, 0 }));
 }
 
-// An open surface has no genus, nor has one that has not been cut; components they have.
+// An open surface, or one that has not been cut, has components but no genus.
 TEST(LevelTopology, HasNoGenusWhereOpenOrUncut)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -96,7 +96,7 @@ TEST(LevelTopology, HasNoGenusWhereOpenOrUncut)
   EXPECT_EQ(GetTopology(GetLevel(carver, 0)), (Numbers{ 1, 0, 0, 1, -1 }));
 }
 
-// Levels have the numbers of their row of the profile, from the carver as from the stored stream.
+// Levels have the numbers of their row of the profile, from the carver and from the stored stream.
 TEST(LevelTopology, AgreesWithTheProfile)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -125,7 +125,7 @@ TEST(LevelTopology, AgreesWithTheProfile)
   EXPECT_EQ(GetTopology(GetLevel(carver, 7)), (Numbers{ 1, genus, 0, 1, genus }));
 }
 
-// A mesh that follows its enclosing levels has numbers that say that they are not known.
+// An appended input has -1 for all numbers on topology.
 TEST(LevelTopology, IsUnknownOfAnAppendedInput)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -160,8 +160,8 @@ TEST(LevelTopology, MeetsTargets)
   }
 }
 
-// Of boxes with a gap of width 1 between them the hull's point in the middle of the gap is the farthest,
-// 0.5 away; the boxes are at no distance from themselves. Without being asked for it is not computed.
+// The error of the hull of two boxes is half the width of their gap, the last error is 0; without a
+// request there is none.
 TEST(LevelTopology, ComputesTheErrorOnRequest)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -181,7 +181,7 @@ TEST(LevelTopology, ComputesTheErrorOnRequest)
   EXPECT_EQ(profile->GetValueByName(0, "Error").ToDouble(), error(0));
 }
 
-// In a plane likewise: squares with a gap of width 1 between them.
+// In a plane, the error of the hull of two squares is half the width of their gap.
 TEST(LevelTopology, ComputesTheErrorOfContours)
 {
   vtkNew<vtkPoints> points;
@@ -212,8 +212,8 @@ TEST(LevelTopology, ComputesTheErrorOfContours)
   EXPECT_EQ(profile->GetValueByName(last, "Components").ToInt(), 2);
 }
 
-// In enclosing mode the distance is that from the mesh as given, which levels only come near; a bound
-// that none meets gives the last level and a warning.
+// In enclosing mode, the error is the distance from the mesh; a bound that no level meets gives the
+// last level and a warning.
 TEST(LevelTopology, WarnsOfAnErrorBoundThatNoLevelMeets)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -231,7 +231,7 @@ TEST(LevelTopology, WarnsOfAnErrorBoundThatNoLevelMeets)
   EXPECT_EQ(GetLevelStep(carver, 0), profile->GetNumberOfRows() - 1);
 }
 
-// A stream that was carved without errors gives its last level for a bound, and says what is missing.
+// For a stream without errors, a bound gives the last level and a warning.
 TEST(LevelTopology, WarnsOfAStreamWithoutErrors)
 {
   vtkNew<vtkTopologyCarver> carver;

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-// A convex mesh has nothing to carve: one level, no error, and a note that says so.
+// A convex mesh gives one level, no error, and a note that there is nothing to carve.
 TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -23,8 +23,7 @@ TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)
   EXPECT_NE(GetNotes(carver).find("nothing to carve"), std::string::npos);
 }
 
-// Crossing triangles are split, and a note gives the number of pairs: three of three triangles that go
-// through a common point each.
+// A note gives the number of crossing pairs: three for three triangles through a common point.
 TEST(CarverNotes, NotesThatItResolvedCrossings)
 {
   carving::TriangleMesh mesh;
@@ -44,7 +43,7 @@ TEST(CarverNotes, NotesThatItResolvedCrossings)
   EXPECT_EQ(GetNotes(carver).find("3 pairs"), 0u) << GetNotes(carver);
 }
 
-// Where the mesh encloses a region but is not consistently oriented, a note says that solid is a guess.
+// If an enclosing mesh is not consistently oriented, a note says that the solid is a guess.
 TEST(CarverNotes, NotesThatSolidIsAGuess)
 {
   auto mesh = models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), { 3, 0, 0 }));
@@ -52,7 +51,7 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(ToPolyData(mesh));
   carver->Update();
-  // One flipped triangle of eighty takes 1/40 of the winding number: less than a guess.
+  // One flipped triangle of eighty changes the winding number by 1/40: too little for a guess.
   EXPECT_EQ(GetNotes(carver).find("guess"), std::string::npos);
   for (int i = 1; i < 12; ++i)
   {
@@ -63,11 +62,11 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   EXPECT_NE(GetNotes(carver).find("guess"), std::string::npos);
 }
 
-// Where a limit ended an attempt, a note names it and says that the result depends on it.
+// If a limit ended an attempt, a note names the limit and says that the result depends on it.
 TEST(CarverNotes, NotesThatTheResultDependsOnALimit)
 {
-  // TetGen needs points on the triangles of the soup, and many times as long for them. With the sphere
-  // crossings are few for a triangle, so that it is tried.
+  // TetGen needs points on the triangles of the soup, which take many times as long. The sphere
+  // lowers the number of crossings per triangle, so that TetGen is tried.
   std::mt19937_64 random(1);
   const auto mesh =
     models::Joined(models::Soup(100, random), models::Moved(models::Sphere(3), { 10, 0, 0 }));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arrays of the input whose names the outputs use.
+ * Arrays of the input that have the names of arrays that the carvers write.
  */
 #include "FilterTesting.h"
 #include "RandomModels.h"
@@ -36,7 +36,7 @@ std::set<std::string> GetNames(vtkFieldData* data)
   return names;
 }
 
-/** The field data of everything that comes out of a carving of a single mesh. */
+/** The field data of all outputs for a single mesh. */
 std::vector<vtkFieldData*> GetAllFieldData(vtkTopologyCarver* carver)
 {
   std::vector<vtkFieldData*> all;
@@ -51,7 +51,7 @@ std::vector<vtkFieldData*> GetAllFieldData(vtkTopologyCarver* carver)
   return all;
 }
 
-/** All names that a carving can write into field data. */
+/** All names of field data that a carving can write. */
 std::set<std::string> GetOwnNames()
 {
   std::mt19937_64 random(1);
@@ -61,7 +61,7 @@ std::set<std::string> GetOwnNames()
   carver->AppendInputOn();
   carver->ComputeErrorOn();
   carver->Update();
-  std::set<std::string> names = { "SnapDistance" }; // of a mesh that had to be snapped
+  std::set<std::string> names = { "SnapDistance" }; // of a snapped mesh
   for (vtkFieldData* data : GetAllFieldData(carver))
   {
     names.merge(GetNames(data));
@@ -101,7 +101,7 @@ void AddNumbers(vtkFieldData* data, const char* name, vtkIdType count, double fi
 
 } // namespace
 
-// Field data of an older carving says nothing of a new one: none of it is passed on; all else is.
+// Field data of an older carving are dropped; all other field data are passed on.
 TEST(OwnArrays, DropFieldDataOfAnOlderCarving)
 {
   auto input = TwoBoxes();
@@ -128,7 +128,7 @@ TEST(OwnArrays, DropFieldDataOfAnOlderCarving)
   }
 }
 
-// The same holds for each leaf of a composite, and for the field data of the whole.
+// Field data of an older carving are dropped for each leaf of a composite, and for the whole.
 TEST(OwnArrays, DropFieldDataOfLeaves)
 {
   auto leaf = TwoBoxes();
@@ -158,7 +158,7 @@ TEST(OwnArrays, DropFieldDataOfLeaves)
   }
 }
 
-// An old profile in the input's field data does not make the stream unreadable.
+// A stream is readable although the input's field data had an old profile.
 TEST(OwnArrays, OldProfilesDoNotSpoilTheStream)
 {
   auto input = TwoBoxes();
@@ -174,7 +174,7 @@ TEST(OwnArrays, OldProfilesDoNotSpoilTheStream)
   EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
 }
 
-// Cell and point arrays that have a name of the outputs' own are kept under another one, and a note says so.
+// Cell and point arrays that have names of the outputs are renamed, and a note says so.
 TEST(OwnArrays, KeepTheInputsUnderAnotherName)
 {
   auto input = TwoBoxes();
@@ -239,7 +239,7 @@ TEST(OwnArrays, KeepTheInputsUnderAnotherName)
   EXPECT_TRUE(input->GetCellData()->HasArray("Priority")) << "the input is as it was";
 }
 
-// A level can be carved again: what the first carving said of its cells stays beside what the second says.
+// A level that is carved again keeps the arrays of its cells beside the new ones.
 TEST(OwnArrays, KeepTheArraysOfALevelThatIsCarvedAgain)
 {
   vtkNew<vtkTopologyCarver> first, second;

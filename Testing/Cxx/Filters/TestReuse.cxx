@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What a filter keeps between updates, and when the helper program has to run again.
+ * The results that a filter keeps between updates, and when the helper program must run again.
  */
 #include "FilterTesting.h"
 #include "RandomModels.h"
@@ -22,7 +22,7 @@
 namespace
 {
 
-/** Two boxes as one mesh each that share their points, which are newer than all else of them. */
+/** Two boxes, one mesh each, that share their points; the points are the newest part of both. */
 std::array<vtkSmartPointer<vtkPolyData>, 2> BoxesThatShareTheirPoints()
 {
   auto first = TwoBoxes(), second = TwoBoxes();
@@ -64,7 +64,7 @@ void Nothing(vtkTopologyCarver*)
 {
 }
 
-/** A soup that TetGen does not cope with, so that AUTO encloses it. */
+/** A soup that TetGen cannot tetrahedralize, so that AUTO encloses it. */
 vtkSmartPointer<vtkPolyData> Soup()
 {
   std::mt19937_64 random(1);
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkPolyData> Soup()
 
 } // namespace
 
-// Two blocks that share their points are not taken for each other.
+// Two blocks that share their points are told apart.
 TEST(Reuse, TellsBlocksApartThatShareTheirPoints)
 {
   const auto boxes = BoxesThatShareTheirPoints();
@@ -91,7 +91,7 @@ TEST(Reuse, TellsBlocksApartThatShareTheirPoints)
   }
 }
 
-// Another mesh on the input is carved anew even if it is exactly as old as the one before.
+// Another input mesh is carved anew even if it has the same time stamp.
 TEST(Reuse, TellsInputsApartThatShareTheirPoints)
 {
   const auto boxes = BoxesThatShareTheirPoints();
@@ -104,7 +104,7 @@ TEST(Reuse, TellsInputsApartThatShareTheirPoints)
   }
 }
 
-// Another initial approximation is used even if it is exactly as old as the one before.
+// Another initial approximation is used even if it has the same time stamp.
 TEST(Reuse, TellsInitialApproximationsApartThatShareTheirPoints)
 {
   const carving::TriangleMesh both = models::Joined(
@@ -128,7 +128,8 @@ TEST(Reuse, TellsInitialApproximationsApartThatShareTheirPoints)
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], -3.0);
 }
 
-// What cannot change the result of a mesh that was met at the first attempt does not run the helper again.
+// If the first attempt succeeded, a change that cannot affect it does not run the helper program
+// again.
 TEST(Reuse, KeepsAMeshThatWasMetAtOnce)
 {
   const std::pair<const char*, Setter> changes[] = {
@@ -150,20 +151,20 @@ TEST(Reuse, KeepsAMeshThatWasMetAtOnce)
   }
 }
 
-// A limit that is raised changes nothing where no attempt failed.
+// If no attempt failed, a raised limit does not run the helper program again.
 TEST(Reuse, KeepsAMeshWhenALimitIsRaised)
 {
   const Setter limit = [](auto* c)
   {
     c->SetTimeLimit(100.0);
-    c->SetMemoryLimit(1e8); // which the sanitizers' shadow is within, too
+    c->SetMemoryLimit(1e8); // enough for the shadow memory of sanitizers, too
   };
   EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetTimeLimit(200.0); }));
   EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetMemoryLimit(2e8); }));
   EXPECT_FALSE(RunsAgain(TwoBoxes(), limit, [](auto* c) { c->SetMemoryLimit(0.0); }));
 }
 
-// What could change the result runs the helper again.
+// A change that could affect the result runs the helper program again.
 TEST(Reuse, TetrahedralizesAgainWhereTheResultCouldDiffer)
 {
   const std::pair<const char*, Setter> changes[] = {
@@ -178,7 +179,8 @@ TEST(Reuse, TetrahedralizesAgainWhereTheResultCouldDiffer)
   }
 }
 
-// A mesh that is enclosed only depends on how closely, and on how it is tried to be met before.
+// For a mesh that is only enclosed, a change of the tolerances or of the attempts runs the helper
+// program again.
 TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
 {
   const Setter enclosing = [](auto* c) { c->SetConformity(c->ENCLOSING); };
@@ -189,7 +191,7 @@ TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
   EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
 }
 
-// Contours have neither attempts nor tolerances: only the initial approximation runs the helper again.
+// For contours, only the initial approximation runs the helper program again.
 TEST(Reuse, KeepsContours)
 {
   vtkNew<vtkContourCarver> carver;

@@ -23,7 +23,7 @@ using namespace carving;
 namespace
 {
 
-/** How many soups to try: a slice by default, more through the environment. */
+/** The number of soups: few by default, more through the environment. */
 int NumberOfSoups()
 {
   const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_FILTER_SOUPS");
@@ -64,7 +64,7 @@ void DrawSettings(std::mt19937_64& random, vtkTopologyCarver* carver)
   carver->SetAppendInput(below(2) != 0);
   carver->SetEnclosingTolerance(0.01 * (1 + below(10)));
   carver->SetNumberOfLevels(4);
-  // Both sides of a fold cancel each other in what follows, so that folds bound nothing.
+  // Both sides of a fold cancel in the sums below, so that folds bound no volume.
   carver->KeepBothFoldSidesOn();
 }
 
@@ -72,7 +72,7 @@ void DrawSettings(std::mt19937_64& random, vtkTopologyCarver* carver)
 struct Surface
 {
   std::vector<Point> Points;
-  std::vector<Triangle> All;   ///< each once
+  std::vector<Triangle> All;   ///< each triangle once
   std::vector<Triangle> Shell; ///< without folds
 };
 
@@ -108,7 +108,7 @@ Surface Merge(vtkPolyData* level)
   return surface;
 }
 
-/** Of the triangles that have an area: their corners, once, and a point within each. */
+/** The corners of all triangles with an area, once each, and a point within each triangle. */
 struct Probes
 {
   std::vector<Point> Corners;
@@ -134,7 +134,7 @@ Probes GetProbes(const TriangleMesh& mesh)
   return probes;
 }
 
-/** Whether a point is in the plane of a triangle but for rounding. */
+/** Whether a point is in the plane of a triangle, up to rounding. */
 bool IsInAPlane(const Surface& surface, const Point& p)
 {
   return std::any_of(surface.All.begin(), surface.All.end(),
@@ -151,7 +151,10 @@ std::string ToText(const Point& p)
   return std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]);
 }
 
-/** All corners are vertices of the level or within what it bounds; nothing crosses; volume shrinks. */
+/**
+ * Expects that every level encloses the soup, does not cross itself, and is no larger than the one
+ * before.
+ */
 void CheckLevel(vtkPolyData* level, const Probes& probes, double& volume)
 {
   const Surface surface = Merge(level);
@@ -179,7 +182,7 @@ std::string GetKind(vtkPolyData* level)
   return vtkStringArray::SafeDownCast(level->GetFieldData()->GetAbstractArray("Kind"))->GetValue(0);
 }
 
-/** What the filter may refuse: what has no volume, and, if it has to be exact, what TetGen cannot. */
+/** Whether the filter may refuse a soup: without volume, or, in exact mode, too hard for TetGen. */
 bool MayFail(const std::string& error, int conformity)
 {
   const auto has = [&](const char* words) { return error.find(words) != std::string::npos; };
@@ -189,8 +192,8 @@ bool MayFail(const std::string& error, int conformity)
 
 } // namespace
 
-// Whatever soup with whatever settings: the filter ends, with an error that is due, or with levels that
-// enclose the soup, do not cross themselves and shrink, and that its stream gives too.
+// With any settings, a soup gives a justified error, or levels that enclose it, do not cross
+// themselves, shrink, and equal those of its stream.
 TEST(Soups, AreEnclosedWithAnySettings)
 {
   std::mt19937_64 random(9);

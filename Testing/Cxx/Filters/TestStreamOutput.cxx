@@ -19,8 +19,9 @@ namespace
 {
 
 /**
- * How many triangles a level has by what the stream documents: those of M with a step up to its own, and
- * the other faces of tetrahedra that are left, where the exterior is on their other side.
+ * The number of triangles of a level by the documentation of the stream: the triangles of M with a
+ * step up to the level's, and the other faces of remaining tetrahedra that have the exterior on
+ * their other side.
  */
 vtkIdType CountTriangles(vtkUnstructuredGrid* stream, int level)
 {
@@ -62,8 +63,8 @@ vtkIdType CountTriangles(vtkUnstructuredGrid* stream, int level)
 
 } // namespace
 
-// The stream holds the complement's tetrahedra and M's triangles, and any level can be counted from
-// their steps.
+// The stream has the tetrahedra of the complement and the triangles of M, and their steps give the
+// size of any level.
 TEST(StreamOutput, WritesTheStream)
 {
   auto input = ReadReal("elephant.off");
@@ -112,7 +113,7 @@ TEST(StreamOutput, WritesTheStream)
   }
 }
 
-// The profile has a row per step, whose counts are those of the levels.
+// The profile has a row per step with the counts of the level.
 TEST(StreamOutput, WritesTheProfile)
 {
   vtkNew<vtkTopologyCarver> carver;

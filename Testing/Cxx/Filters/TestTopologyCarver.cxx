@@ -41,7 +41,7 @@ void AddNumbersAndNames(vtkDataSetAttributes* data, vtkIdType count)
 
 } // namespace
 
-// Two boxes are carved out of their hull: the first level is the hull, the last the input itself.
+// The first level of two boxes is their hull, the last the input itself.
 TEST(TopologyCarver, GoesFromTheHullToTheInput)
 {
   auto input = TwoBoxes();
@@ -51,13 +51,13 @@ TEST(TopologyCarver, GoesFromTheHullToTheInput)
   const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
   ASSERT_GE(levels, 2);
   EXPECT_EQ(GetLevelStep(carver, 0), 0);
-  // The hull's ends are sides of the boxes, and each of the four sides between needs two triangles
-  // for the gap next to the four of the boxes.
+  // The ends of the hull are sides of the boxes. Each of the four other sides has two triangles for
+  // the gap and four for the boxes.
   EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPolys(), 4 + 4 * (4 + 2));
   EXPECT_EQ(GetTriangles(GetLevel(carver, levels - 1)), GetTriangles(input));
 }
 
-// The input's orientation does not matter for solids: an inside-out mesh gives outward levels.
+// An inside-out solid gives outward levels.
 TEST(TopologyCarver, OrientsLevelsOutward)
 {
   auto input = ToPolyData(models::Flipped(
@@ -69,7 +69,7 @@ TEST(TopologyCarver, OrientsLevelsOutward)
   EXPECT_EQ(GetTriangles(GetLevel(carver, 0)), GetTriangles(TwoBoxes()));
 }
 
-// Levels are named and ordered from coarse to fine; their points are doubles.
+// Levels are named and ordered from coarse to fine, and their points are doubles.
 TEST(TopologyCarver, NamesAndOrdersLevels)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -90,7 +90,7 @@ TEST(TopologyCarver, NamesAndOrdersLevels)
   }
 }
 
-// A target gives the last level that has no more vertices or triangles than wanted, coarsest first.
+// A target gives the last level with at most that many vertices or triangles, coarsest first.
 TEST(TopologyCarver, MeetsLevelTargets)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -121,7 +121,7 @@ TEST(TopologyCarver, MeetsLevelTargets)
   }
 }
 
-// A target that even the hull exceeds gives the hull, and a warning with both numbers.
+// A target below the size of the hull gives the hull, and a warning with both numbers.
 TEST(TopologyCarver, WarnsOfATargetBelowTheHull)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -134,7 +134,7 @@ TEST(TopologyCarver, WarnsOfATargetBelowTheHull)
   EXPECT_EQ(GetLevelStep(carver, 0), 0);
 }
 
-// Changing a carving or level property, or nothing, does not run the helper program again.
+// A change of a carving or level property, or none, does not run the helper program again.
 TEST(TopologyCarver, KeepsTheTetrahedraBetweenUpdates)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -154,7 +154,7 @@ TEST(TopologyCarver, KeepsTheTetrahedraBetweenUpdates)
   EXPECT_EQ(carver->GetStageSeconds(0), 0.0);
 }
 
-// A changed input does run it again.
+// A changed input runs the helper program again.
 TEST(TopologyCarver, TetrahedralizesAChangedInput)
 {
   auto input = TwoBoxes();
@@ -168,7 +168,7 @@ TEST(TopologyCarver, TetrahedralizesAChangedInput)
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], -1.0);
 }
 
-// Carving exposed tetrahedra along saves triangles at the same number of vertices.
+// Carving exposed tetrahedra saves triangles with the same number of vertices.
 TEST(TopologyCarver, SavesTrianglesWithExposedTetrahedra)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -197,8 +197,8 @@ TEST(TopologyCarver, GivesNothingForNothing)
   EXPECT_TRUE(messages.Errors.empty());
 }
 
-// Two filters give the same levels, stream and profile, with numbers and names of the input and
-// errors, bit for bit, whatever the number of threads.
+// Two filters give the same levels, stream and profile, bit for bit, whatever the number of
+// threads.
 TEST(TopologyCarver, IsDeterministic)
 {
   vtkNew<vtkTopologyCarver> carvers[2];
@@ -219,7 +219,22 @@ TEST(TopologyCarver, IsDeterministic)
   }
 }
 
-// PrintSelf lists the level targets; a test in Python looks for all properties that have one value.
+// CountIntersectingPairs counts the crossing triangles of any mesh, and gives -1 after an error.
+TEST(TopologyCarver, CountsIntersectingPairs)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  EXPECT_EQ(carver->CountIntersectingPairs(TwoBoxes()), 0);
+  const models::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const models::TriangleMesh sheet = models::Moved(models::Sheet(1), { 0.5, 0.25, 0.5 });
+  EXPECT_GT(carver->CountIntersectingPairs(ToPolyData(models::Joined(box, sheet))), 0);
+  EXPECT_TRUE(messages.Errors.empty());
+  const OtherHelper missing("/there/is/no/such/helper");
+  EXPECT_EQ(carver->CountIntersectingPairs(TwoBoxes()), -1);
+  EXPECT_EQ(messages.Errors.size(), 1u);
+}
+
+// PrintSelf lists the level targets; a test in Python checks all other properties.
 TEST(TopologyCarver, PrintsItsLevelTargets)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -230,7 +245,7 @@ TEST(TopologyCarver, PrintsItsLevelTargets)
   EXPECT_NE(text.str().find("LevelTargets: 123 45\n"), std::string::npos);
 }
 
-// Progress runs through all stages, never falls, and ends at 1.
+// Progress passes through all stages, never falls, and ends at 1.
 TEST(TopologyCarver, ReportsProgressThroughAllStages)
 {
   struct Recorder

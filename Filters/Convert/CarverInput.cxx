@@ -90,7 +90,7 @@ std::string CarverInput::Gather(vtkPolyData* input)
   {
     this->Notes.push_back("Vertices and lines bound no volume: " +
       std::to_string(input->GetNumberOfVerts() + input->GetNumberOfLines()) +
-      " cells were passed over.");
+      " cells were ignored.");
   }
   if (input->GetNumberOfPolys() == 0 && input->GetNumberOfStrips() == 0)
   {

@@ -91,7 +91,7 @@ std::string ContourInput::GatherEdges(vtkPolyData* input)
   if (CountSkipped(input) > 0)
   {
     this->Notes.push_back("Vertices and triangle strips are no contours: " +
-      std::to_string(CountSkipped(input)) + " cells were passed over.");
+      std::to_string(CountSkipped(input)) + " cells were ignored.");
   }
   for (vtkCellArray* cells : { input->GetLines(), input->GetPolys() })
   {

@@ -43,6 +43,7 @@ std::vector<double> ComputeInitialDistances(const carving::Decomposition<D>& mes
   {
     initial->SetLines(faces);
   }
+  // FacetTree of the core would round otherwise, which changes depths in their last digits.
   vtkNew<vtkStaticCellLocator> locator;
   locator->SetDataSet(initial);
   locator->BuildLocator();

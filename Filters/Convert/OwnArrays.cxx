@@ -76,7 +76,7 @@ vtkSmartPointer<vtkPolyData> RenameForeignArrays(
   {
     return input;
   }
-  std::string note = "The input's arrays have names of the carver's own and were renamed: ";
+  std::string note = "Arrays of the input that have names of the carver's arrays were renamed: ";
   for (std::size_t i = 0; i < list.size(); ++i)
   {
     note += (i > 0 ? ", " : "") + list[i];

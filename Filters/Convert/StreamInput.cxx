@@ -93,7 +93,7 @@ std::string ReadCells(vtkUnstructuredGrid* grid, carving::Decomposition<D>& mesh
     if (!(isFacet && Append(corners, mesh.Surface.Facets)) &&
       !(isCell && Append(corners, mesh.Cells)))
     {
-      return "cell " + Number(i) + " is none of a stream's.";
+      return "cell " + Number(i) + " is not a cell of a stream.";
     }
   }
   return {};
@@ -235,7 +235,7 @@ std::string ReadStream(
   const std::string mistake = ReadParts(grid, stream, profile);
   return mistake.empty() ? mistake
                          : "The input is not the stored stream of a carving: " + mistake +
-      " The stream of a carver (its output port 1) is needed, as it came out.";
+      " The input must be the unchanged output of a carver on its port 1.";
 }
 
 template std::string ReadStream<2>(

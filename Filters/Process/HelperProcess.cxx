@@ -49,7 +49,8 @@ std::string FindHelper(std::string& error)
   const std::string directory = vtksys::SystemTools::GetFilenamePath(library);
   const std::string candidates[] = { directory + "/" + HelperName,
     directory + "/" TOPOLOGYCARVING_HELPER_DIRECTORY "/" + HelperName };
-  error = std::string("The helper program ") + HelperName + " was not found. It was looked for at";
+  error =
+    std::string("The helper program ") + HelperName + " was not found. The searched paths are";
   for (const std::string& candidate : candidates)
   {
     if (IsProgram(candidate))
@@ -107,11 +108,10 @@ public:
   std::string LastWords()
   {
     this->Keep();
-    std::string words =
-      std::string(" while it was busy with: ") + carving::StageName(this->Stage) + ".";
+    std::string words = std::string(" in the stage: ") + carving::StageName(this->Stage) + ".";
     if (!this->Words.empty())
     {
-      words += " Its last words: " + this->Words;
+      words += " Its last output: " + this->Words;
     }
     return words;
   }
@@ -200,7 +200,7 @@ std::string ReadReply(const MemoryFile& file, const std::string& program, carvin
   std::string error;
   file.Read([&](const char* data, std::size_t size) { error = carving::Read(data, size, reply); });
   return error.empty() ? reply.Error
-                       : "What " + program + " answered cannot be used: " + error +
+                       : "The reply of " + program + " cannot be used: " + error +
       ". Make sure that it was built together with this library.";
 }
 

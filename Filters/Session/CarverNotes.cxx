@@ -34,17 +34,17 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   }
   AddLines("An attempt failed. ", reply.Attempts, "", notes);
   AddLines("The result depends on a limit: ", reply.Limits,
-    ". With a higher one the mesh might have come out otherwise.", notes);
+    ". With a higher limit, the result might be another.", notes);
   if (reply.InteriorDropped > 0)
   {
-    notes.push_back("Inside the solid " + std::to_string(reply.InteriorDropped) +
-      " triangles were left out, which no level would show.");
+    notes.push_back(std::to_string(reply.InteriorDropped) +
+      " triangles inside the solid were left out. No level would show them.");
   }
   if (reply.SnapDistance > 0.0)
   {
     std::ostringstream text;
     text << "The mesh was snapped: no point was moved farther than " << reply.SnapDistance
-         << ". Levels enclose what came of it.";
+         << ". Levels enclose the snapped mesh.";
     notes.push_back(text.str());
   }
   const carving::Tetrahedralization& result = reply.Result;
@@ -52,10 +52,10 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   {
     const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
     std::ostringstream text;
-    text << "The mesh is enclosed, not met: " << kept
-         << " tetrahedra that it pierces stay and reach " << reply.KeptDistance
-         << " from it. For that " << reply.PointsAdded << " vertices were added to its "
-         << result.Unresolved.Points.size() << ".";
+    text << "The mesh is only enclosed: " << kept
+         << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
+         << " from it. To keep them small, " << reply.PointsAdded
+         << " vertices were added to the mesh's own " << result.Unresolved.Points.size() << ".";
     notes.push_back(text.str());
   }
 }

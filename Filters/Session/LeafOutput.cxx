@@ -22,7 +22,7 @@
 namespace
 {
 
-/** What the user should know of a carved leaf. */
+/** Adds notes on the carving. */
 template <int D>
 void Describe(
   const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved, std::vector<std::string>& notes)

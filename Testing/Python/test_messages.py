@@ -127,7 +127,9 @@ class TestMessagesInTheSource(unittest.TestCase):
     def test_are_listed(self):
         """Every sentence in the code's literals is in the table."""
         known = [re.split(r"\bN\b|\bX\b|vtkX|…|\(", quote)[0] for column in quoted() for quote in column]
-        for name in sorted(glob.glob(os.path.join(ROOT, "Filters", "**", "*.cxx"), recursive=True)):
+        names = set(glob.glob(os.path.join(ROOT, "Filters", "**", "*.cxx"), recursive=True))
+        # The help texts of the properties are no messages.
+        for name in sorted(names - {os.path.join(ROOT, "Filters", "vtkCarverProperty.cxx")}):
             for message in beginnings_in(read(name)):
                 with self.subTest(file=os.path.relpath(name, ROOT), message=message):
                     self.assertTrue(

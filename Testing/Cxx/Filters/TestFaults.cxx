@@ -118,7 +118,7 @@ TEST(Faults, ReportsAKilledHelper)
   ExpectErrorAndRecovery("died", OtherHelper::Script("kill -KILL $$"));
 }
 
-// A helper program that crashes is an error with its last words and the stage of its work.
+// A helper program that crashes is an error with its last output and the stage of its work.
 TEST(Faults, RepeatsTheLastWordsOfACrashedHelper)
 {
   ExpectErrorAndRecovery("Assertion failed: it hurts",

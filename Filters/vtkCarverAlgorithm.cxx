@@ -23,7 +23,10 @@
 namespace
 {
 
-/** Whether an enumerator of the filter has the value of the core's, as which it is passed on. */
+/**
+ * Whether an enumerator of the filter has the same value as that of the core. Values are passed on
+ * by casts.
+ */
 template <class Enumerator>
 constexpr bool IsSame(int filters, Enumerator cores)
 {
@@ -60,7 +63,7 @@ static_assert(IsSame(Filter::VERTICES, LevelTarget::Vertices) &&
 
 } // namespace
 
-/** The state of everything that an update depends on. */
+/** The state of the properties and the inputs. */
 struct vtkCarverAlgorithm::Version
 {
   vtkMTimeType Properties = 0;
@@ -167,8 +170,8 @@ double vtkCarverAlgorithm::GetStageSeconds(int stage)
 //------------------------------------------------------------------------------
 int vtkCarverAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // Anything on port 0: with vtkPolyData alone the pipeline would feed the leaves of a composite
-  // one by one and keep the last result only, and would not say what to do about a grid.
+  // With vtkPolyData alone on port 0, the pipeline would pass the leaves of a composite one by one
+  // and keep the last result only, and the error for a grid would not name a remedy.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataObject" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
   return 1;
@@ -246,7 +249,7 @@ int vtkCarverAlgorithm::RequestData(
 {
   if (this->WasAborted)
   {
-    this->SetAbortExecute(0); // which only pipelines before VTK 9.3 do themselves
+    this->SetAbortExecute(0); // pipelines before VTK 9.3 do not reset the request
   }
   const CarverSettings settings = this->GetSettings();
   const CarverPorts ports = { vtkMultiBlockDataSet::GetData(out, 0), vtkDataObject::GetData(out, 1),

@@ -3,12 +3,11 @@
 
 #include "Convert/LevelOutput.h"
 #include "Convert/ProfileInput.h"
-#include "Convert/StreamInput.h"
 #include "Convert/StreamOutput.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Objects/CompositeTree.h"
-#include "Objects/DataVersion.h"
 #include "Objects/OutputType.h"
+#include "Session/PreparedStreams.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -22,41 +21,11 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <list>
 #include <numeric>
 #include <vector>
 
 namespace
 {
-
-/** A stream that has been read from a grid. */
-struct Prepared
-{
-  DataVersion Grid;
-  std::string Error;
-  carving::Profile Profile;
-  // One of them, by the stream's dimension.
-  carving::StoredStream<3> Space;
-  carving::StoredStream<2> Plane;
-  /** The steps of the levels that stand for so many times. */
-  int NumberOfTimes = 0;
-  std::vector<int> StepsOfTimes;
-};
-
-/** The step for a time; where there are fewer levels than times, some show twice. */
-int StepOfTime(Prepared& stream, double time, int numberOfTimes)
-{
-  if (stream.NumberOfTimes != numberOfTimes)
-  {
-    stream.NumberOfTimes = numberOfTimes;
-    stream.StepsOfTimes = carving::SpreadLevels(stream.Profile, numberOfTimes);
-  }
-  const double last = static_cast<double>(stream.StepsOfTimes.size()) - 1.0;
-  // fmax passes over a time that is not a number.
-  const double fraction = std::min(std::fmax(0.0, time / (numberOfTimes - 1)), 1.0);
-  return stream.StepsOfTimes[static_cast<std::size_t>(std::lround(fraction * last))];
-}
 
 /** The data object on the input port as it is now, or null. */
 vtkDataObject* GetInputOf(vtkAlgorithm* filter)
@@ -65,54 +34,6 @@ vtkDataObject* GetInputOf(vtkAlgorithm* filter)
 }
 
 } // namespace
-
-/** The streams of all inputs that are alive: a composite has many. */
-class vtkExtractCarvedLOD::Internals
-{
-public:
-  /** Null if it has not been read, or has changed since. */
-  Prepared* Find(vtkUnstructuredGrid* grid)
-  {
-    this->All.remove_if([](const Prepared& stream) { return !stream.Grid.IsCurrent(); });
-    const auto found = std::find_if(this->All.begin(), this->All.end(),
-      [grid](const Prepared& stream) { return stream.Grid.IsOf(grid); });
-    return found != this->All.end() ? &*found : nullptr;
-  }
-
-  Prepared& Get(vtkUnstructuredGrid* grid)
-  {
-    if (Prepared* found = this->Find(grid))
-    {
-      return *found;
-    }
-    Prepared& stream = this->All.emplace_back();
-    stream.Grid = DataVersion(grid);
-    stream.Error = GetStreamDimension(grid) == 2 ? ReadStream(grid, stream.Plane, stream.Profile)
-                                                 : ReadStream(grid, stream.Space, stream.Profile);
-    return stream;
-  }
-
-  /**
-   * The profiles of all streams in a data object, which can be null. Only the profiles are read.
-   */
-  std::vector<carving::Profile> GetProfiles(vtkDataObject* input)
-  {
-    std::vector<carving::Profile> profiles;
-    for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
-    {
-      const Prepared* stream = this->Find(grid);
-      carving::Profile profile;
-      if (stream ? stream->Error.empty() : ReadProfile(grid, profile).empty())
-      {
-        profiles.push_back(stream ? stream->Profile : profile);
-      }
-    }
-    return profiles;
-  }
-
-private:
-  std::list<Prepared> All;
-};
 
 static_assert(vtkExtractCarvedLOD::VERTICES == static_cast<int>(carving::LevelTarget::Vertices) &&
     vtkExtractCarvedLOD::TRIANGLES == static_cast<int>(carving::LevelTarget::Triangles) &&
@@ -127,7 +48,7 @@ vtkStandardNewMacro(vtkExtractCarvedLOD);
 
 //------------------------------------------------------------------------------
 vtkExtractCarvedLOD::vtkExtractCarvedLOD()
-  : Streams(new Internals)
+  : Streams(new PreparedStreams)
 {
 }
 
@@ -152,7 +73,7 @@ vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
 int vtkExtractCarvedLOD::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  // Declared too, since the pipeline offers no time when it feeds the leaves one by one.
+  // Without this type, the pipeline would pass the leaves one by one, without their time.
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
@@ -168,7 +89,7 @@ int vtkExtractCarvedLOD::FillOutputPortInformation(int, vtkInformation* info)
 bool vtkExtractCarvedLOD::OfferTimes(vtkInformation* input, vtkInformation* output)
 {
   using vtkSDDP = vtkStreamingDemandDrivenPipeline;
-  // Some readers give a single time step to what does not change.
+  // Some readers give a single time step to data that do not change.
   if (input->Has(vtkSDDP::TIME_STEPS()) && input->Length(vtkSDDP::TIME_STEPS()) > 1)
   {
     return false;
@@ -231,7 +152,7 @@ int vtkExtractCarvedLOD::RequestData(
   using vtkSDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = out->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outInfo);
-  output->GetFieldData()->Initialize(); // the pipeline has passed the stream's
+  output->GetFieldData()->Initialize(); // the pipeline has copied the stream's
   const bool byTime = this->OffersTime && outInfo->Has(vtkSDDP::UPDATE_TIME_STEP());
   const double time = byTime ? outInfo->Get(vtkSDDP::UPDATE_TIME_STEP()) : 0.0;
   if (byTime)
@@ -263,7 +184,7 @@ bool vtkExtractCarvedLOD::ExtractTree(
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(child))
     {
       vtkNew<vtkPolyData> level;
-      this->ExtractLeaf(grid, time, level); // has said so if it failed; the others still come out
+      this->ExtractLeaf(grid, time, level); // reports an error; the other leaves go on
       levels->SetBlock(i, level);
     }
     else if (child && child->IsA("vtkCompositeDataSet"))
@@ -288,9 +209,9 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
 {
   if (grid->GetNumberOfCells() == 0)
   {
-    return true; // the stream of nothing
+    return true; // the stream of an empty input
   }
-  Prepared& stream = this->Streams->Get(grid);
+  PreparedStream& stream = this->Streams->Get(grid);
   if (!stream.Error.empty())
   {
     vtkErrorMacro(<< stream.Error);
@@ -299,7 +220,7 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
   carving::SelectedStep selected = { 0, {} };
   if (time)
   {
-    selected.Step = StepOfTime(stream, *time, this->NumberOfTimeSteps);
+    selected.Step = stream.GetStepOfTime(*time, this->NumberOfTimeSteps);
   }
   else
   {

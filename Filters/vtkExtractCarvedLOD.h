@@ -25,6 +25,7 @@
 
 #include <memory> // for std::unique_ptr
 
+class PreparedStreams;
 class vtkMultiBlockDataSet;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -140,8 +141,7 @@ private:
   vtkExtractCarvedLOD(const vtkExtractCarvedLOD&) = delete;
   void operator=(const vtkExtractCarvedLOD&) = delete;
 
-  class Internals;
-  std::unique_ptr<Internals> Streams;
+  std::unique_ptr<PreparedStreams> Streams;
   bool OffersTime = false;
 
   /**

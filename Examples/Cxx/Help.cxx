@@ -23,96 +23,95 @@ SYNOPSIS
 
 DESCRIPTION
     Reads a triangle mesh, carves it out of its convex hull and prints a table of
-    the levels of detail on the way from the hull (level 0) to the mesh itself. In
-    that order components split off and tunnels open; every level encloses the
-    mesh, lies inside the one before it and does not cross itself. The vertices
-    of the levels are vertices of the mesh.
+    levels of detail from the hull (level 0) to the mesh itself. From level to
+    level, components split off and tunnels open. Every level encloses the mesh,
+    lies inside the level before and does not cross itself. The vertices of the
+    levels are vertices of the mesh.
 
-    INPUT may be open, non-manifold or cross itself. Its format is told by the end
-    of its name: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
+    INPUT may be open, non-manifold or cross itself. The end of its name determines
+    the format: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
     also gzipped (.obj.gz).
 
-    STREAM.vtu is a carving that --stream has stored: any of its levels is given
-    without carving again.
+    STREAM.vtu is a carving that --stream has stored. Any level can be extracted
+    from it without carving again.
 
 OPTIONS
     -o, --output OUTPUT
-        Write the levels. The end of the name decides how:
+        Write the levels. The end of the name determines the format:
             .vtm                     all levels in one multiblock data set
             .vtp .ply .obj .stl      one file per level: out.ply becomes out_0.ply,
                                      out_1.ply, ...
-        .vtm and .vtp keep the levels as they are, with all their arrays. The
-        other formats round coordinates; a warning is given where that makes a
-        level cross itself.
+        .vtm and .vtp preserve the levels exactly, with all their arrays. The other
+        formats round coordinates; if a level then crosses itself, a warning says
+        so.
 
     --contours
-        The polygons and polylines of INPUT, which is .vtp or .vtk, lie in one plane:
-        carve their contours out of their convex hull in that plane. Read edge for
-        triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
+        Take the polygons and polylines of INPUT, which is .vtp or .vtk, as contours
+        in a plane, and carve them out of their convex hull in that plane. Read edge
+        for triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
 
     --stream OUT.vtu
-        Write the whole carving: tetrahedra and triangles with the steps at which
+        Write the whole carving: the tetrahedra and triangles, and the steps at which
         they vanish and appear.
 
     --profile FILE
-        Write vertices, triangles, components, tunnels, voids and more of every step:
-        as a table if the name ends in .csv, as a chart over vertices if it ends in
-        .png, for which an X display is needed (or xvfb-run).
+        Write the number of vertices, triangles, components, tunnels, voids and more
+        for every step: as a table if the name ends in .csv, as a chart over vertices
+        if the name ends in .png. The chart needs an X display (or xvfb-run).
 
     --initial-mesh FILE
-        The mesh for the initial approximation custom, which this option implies:
-        closed, of genus zero, in one piece, without self-intersections, around
-        INPUT.
-
-LEVELS
-    --levels N
-        Number of levels, at most 1000, spread so that their vertex counts grow
-        geometrically. Default: 8.
-
-    --vertices N,N,...
-    --triangles N,N,...
-        Instead, a level for each number: the last one that has at most that many
-        vertices or triangles, as have all before it.
-
-    --feature-size X,X,...
-        A level for each length: gaps wider than about that are open.
-
-    --tunnels N,N,...
-    --components N,N,...
-        A level for each number: the last one that has at most that many tunnels or
-        pieces, as have all before it.
-
-    --error-bound X,X,...
-        A level for each length: the first one such that no point of it, or of any
-        after it, is farther than that from the mesh.
-
-    --step N,N,...
-        A level for each step of the carving.
+        The mesh for the initial approximation custom, which this option implies. The
+        mesh must be closed, of genus zero, connected, without self-intersections,
+        and around INPUT.
 
     --help, --version
         Print this text or the version, and exit.
 
+LEVELS
+    --levels N
+        The number of levels, at most 1000, spread so that their vertex counts grow
+        geometrically. Default: 8.
+
+    Instead, each of the following options gives a level for each of its numbers.
+
+    --vertices N,N,...
+    --triangles N,N,...
+    --tunnels N,N,...
+    --components N,N,...
+        The last level such that neither it nor any level before has more vertices,
+        triangles, tunnels or components than the number.
+
+    --feature-size X,X,...
+        The level at which gaps wider than about this length are open.
+
+    --error-bound X,X,...
+        The first level such that no point of it, or of any level after it, is
+        farther from the mesh than this length.
+
+    --step N,N,...
+        The level after this number of carving steps.
+
 PROPERTY OPTIONS
-    These set what is carved, and in which order. The sections are those of the
+    These options determine the carving and its order. The sections are those of the
     paper "Carving for topology simplification of polygonal meshes".
 
 )";
 
 constexpr const char* TextAfterProperties = R"(OUTPUT
-    The table goes to standard output: level, step (how many carving steps were
-    taken), vertices, triangles, and of the closed space that the level bounds the
-    components (pieces), tunnels and voids (hollows); then the seconds that each
-    stage took. Progress is shown on standard error if that is a terminal.
+    The table goes to standard output. Its columns are the level, the step (the number
+    of carving steps), vertices and triangles, and the components, tunnels and voids
+    (hollows) of the closed space that the level bounds. A last line has the seconds
+    of each stage. Progress is shown on standard error if that is a terminal.
 
 EXIT STATUS
-    0   all went well
+    0   success
     1   the mesh could not be read, carved or written
     2   the command line is wrong
 
 ENVIRONMENT
     TOPOLOGYCARVING_HELPER
-        Full path of the helper program carving-helper. Needed only where it is not
-        found beside this program's library or where it was installed.
+        The full path of the helper program carving-helper. Needed only if the program
+        is neither next to the library of this program nor where it was installed.
 
 EXAMPLES
     carve bones.off

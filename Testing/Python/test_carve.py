@@ -307,7 +307,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve(BONES, "--vertices", targets), 2, "--vertices")
         self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "only one")
         self.expect_failure(self.run_carve(BONES, "--levels", "9", "--triangles", "9"), 2, "--levels")
-        self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "on or off")
+        self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "off|on")
         self.expect_failure(self.run_carve(BONES, "--solid-rule", "odd"), 2, "even-odd")
         for number in ("-1", "deep", "inf", ""):
             self.expect_failure(self.run_carve(BONES, "--depth-exponent", number), 2, "--depth-exponent")

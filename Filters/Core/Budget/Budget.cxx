@@ -10,11 +10,11 @@ namespace carving
 template <int D>
 Budget<D>::Budget(
   const Decomposition<D>& mesh, const std::vector<CellState>& states, const BettiNumbers& limits)
-  : Rest(mesh, states)
+  : Complex(mesh, states)
   , Limits(limits)
-  , SlotOf(mesh.Cells.size(), -1)
+  , ShortageOf(mesh.Cells.size())
 {
-  this->Limits[0] = limits[0] == 0 ? 1 : limits[0];
+  this->Limits[0] = limits[0] == 0 ? 1 : limits[0]; // C0 has one component
   for (int& limit : this->Limits)
   {
     limit = limit < 0 ? std::numeric_limits<int>::max() : limit;
@@ -23,124 +23,133 @@ Budget<D>::Budget(
   {
     if (limits[0] >= 0)
     {
-      this->Parts = std::make_unique<GluedParts>(mesh, this->Rest.GetCells());
+      this->Glued = std::make_unique<GluedParts>(mesh, this->Complex.GetCells());
     }
   }
 }
 
-/** How many more there may be of one of the numbers, or of the pieces of the cut surface. */
+/** How much a number may grow. */
 template <int D>
 int Budget<D>::GetRoom(int number) const
 {
-  return number < Numbers ? this->Limits[number] - this->Rest.GetBettiNumbers()[number]
-                          : this->Limits[0] - this->Parts->GetComponents();
+  return number == GluedComponents ? this->Limits[0] - this->Glued->GetComponents()
+                                   : this->Limits[number] - this->Complex.GetBettiNumbers()[number];
 }
 
 template <int D>
-bool Budget<D>::Defer(const Candidate& candidate, int slot)
+typename Budget<D>::Shortage Budget<D>::FindShortage(int number, int change) const
 {
-  this->Waiting[slot].push(candidate);
-  this->SlotOf[candidate.Cell] = static_cast<signed char>(slot);
-  ++this->NumberDeferred;
-  return false;
+  if (change > 0 && change > this->GetRoom(number))
+  {
+    return { static_cast<signed char>(number), static_cast<signed char>(change) };
+  }
+  return {};
 }
 
-/**
- * For what a cell would have to wait if the surface is cut without it, or -1 if it would stay within the
- * limit. `labels` is what carving it would leave.
- */
+/** The shortage of the first Betti number for which there is not enough room. */
 template <int D>
-int Budget<D>::FindPartsSlot(int cell, GluedParts::Labels& labels)
+typename Budget<D>::Shortage Budget<D>::FindShortage(const RemovalEffect<D>& effect) const
 {
-  GluedParts& parts = *this->Parts;
-  labels = parts.Examine(cell);
-  if (CountLabels(labels) - 1 > this->GetRoom(Numbers) && !parts.GetIsExact())
+  Shortage shortage;
+  for (int number = 0; number < NumberOfBettiNumbers && shortage.Amount == 0; ++number)
   {
-    parts.MakeExact();
+    shortage = this->FindShortage(number, effect.Change[number]);
   }
-  if (CountLabels(labels) < 2 || !parts.GetIsExact())
-  {
-    return -1;
-  }
-  const auto findSlot = [&](int count)
-  { return count - 1 > this->GetRoom(Numbers) ? PartsSlots + count - 2 : -1; };
-  if (const int slot = findSlot(parts.CountSides(cell, labels)); slot >= 0)
-  {
-    return slot;
-  }
-  parts.Join(cell, labels);
-  const int slot = findSlot(CountLabels(labels));
-  if (slot >= 0)
-  {
-    parts.KeepAsBridge(cell, labels);
-  }
-  return slot;
+  return shortage;
 }
 
-/** For what a cell would have to wait, or -1 if it would stay within the limits. */
+/** Examines the removal of a cell from K: exactly, if by upper bounds it would exceed a limit. */
 template <int D>
-int Budget<D>::FindSlot(const Removal<D>& removal) const
+typename Budget<D>::Shortage Budget<D>::ExamineComplex(int cell, RemovalEffect<D>& effect)
 {
-  for (int number = 0; number < Numbers; ++number)
+  effect = this->Complex.Examine(cell);
+  Shortage shortage = this->FindShortage(effect);
+  if (shortage.Amount > 0 && !this->Complex.IsExact())
   {
-    const int change = removal.Change[number];
-    if (change > 0 && change > this->GetRoom(number))
-    {
-      return Amounts * number + change - 1;
-    }
+    this->Complex.MakeExact();
+    effect = this->Complex.Examine(cell);
+    shortage = this->FindShortage(effect);
   }
-  return -1;
+  if (shortage.Amount > 0)
+  {
+    this->Complex.Keep(cell, effect);
+  }
+  return shortage;
+}
+
+/** The same for N. */
+template <int D>
+typename Budget<D>::Shortage Budget<D>::ExamineGlued(int cell, Labels<4>& labels)
+{
+  const auto examine = [&]
+  {
+    labels = this->Glued->Examine(cell);
+    return this->FindShortage(GluedComponents, CountLabels(labels) - 1);
+  };
+  Shortage shortage = examine();
+  if (shortage.Amount > 0 && !this->Glued->IsExact())
+  {
+    this->Glued->MakeExact();
+    shortage = examine();
+  }
+  if (shortage.Amount > 0)
+  {
+    this->Glued->Keep(cell, labels);
+  }
+  return shortage;
 }
 
 template <int D>
 bool Budget<D>::Admit(const Candidate& candidate)
 {
-  Removal<D> removal = this->Rest.Examine(candidate.Cell);
-  int wanting = this->FindSlot(removal);
-  if (wanting >= 0 && !this->Rest.GetIsExact())
+  const int cell = candidate.Cell;
+  RemovalEffect<D> effect;
+  Labels<4> labels;
+  Shortage shortage = this->ExamineComplex(cell, effect);
+  if (shortage.Amount == 0 && this->Glued)
   {
-    this->Rest.MakeExact();
-    removal = this->Rest.Examine(candidate.Cell);
-    wanting = this->FindSlot(removal);
+    shortage = this->ExamineGlued(cell, labels);
   }
-  if (wanting >= 0)
+  if (shortage.Amount > 0)
   {
-    this->Rest.Keep(candidate.Cell, removal);
-    return this->Defer(candidate, wanting);
+    this->Defer(candidate, shortage);
+    return false;
   }
-  if (this->Parts)
+  if (this->Glued)
   {
-    GluedParts::Labels labels;
-    const int slot = this->FindPartsSlot(candidate.Cell, labels);
-    if (slot >= 0)
-    {
-      return this->Defer(candidate, slot);
-    }
-    this->Parts->Carve(candidate.Cell, labels);
+    this->Glued->Carve(cell, labels);
   }
-  this->Rest.Carve(candidate.Cell, removal);
-  this->Requeue(candidate.Cell, removal);
+  this->Complex.Carve(cell, effect);
+  this->Requeue(cell, effect);
   return true;
 }
 
-/** Whether the cell was aside; it no longer is. */
+template <int D>
+void Budget<D>::Defer(const Candidate& candidate, Shortage shortage)
+{
+  this->Waiting[shortage.Number][shortage.Amount - 1].push(candidate);
+  this->ShortageOf[candidate.Cell] = shortage;
+  ++this->NumberDeferred;
+}
+
+/** Ends the deferral of a cell. Returns whether the cell was deferred. */
 template <int D>
 bool Budget<D>::Release(int cell)
 {
-  const bool aside = this->IsDeferred(cell);
-  this->SlotOf[cell] = -1;
-  this->NumberDeferred -= aside;
-  return aside;
+  const bool wasDeferred = this->IsDeferred(cell);
+  this->ShortageOf[cell] = {};
+  this->NumberDeferred -= wasDeferred;
+  return wasDeferred;
 }
 
 template <int D>
-void Budget<D>::Requeue(int cell, const Removal<D>& removal)
+void Budget<D>::Requeue(int cell, const RemovalEffect<D>& effect)
 {
   std::vector<int>& cells = this->Requeued;
   cells.clear();
   if (this->NumberDeferred > 0)
   {
-    this->Rest.FindTouched(cell, removal, cells);
+    this->Complex.FindAffected(cell, effect, cells);
     cells.erase(
       std::remove_if(cells.begin(), cells.end(), [this](int c) { return !this->Release(c); }),
       cells.end());
@@ -151,22 +160,25 @@ template <int D>
 const Candidate* Budget<D>::GetBest()
 {
   const Candidate* best = nullptr;
-  if (this->NumberDeferred == 0)
+  for (int number = 0; number<NumberOfLimits&& this->NumberDeferred> 0; ++number)
   {
-    return nullptr;
-  }
-  for (int slot = 0; slot < NumberOfSlots; ++slot)
-  {
-    auto& queue = this->Waiting[slot];
-    while (!queue.empty() && this->SlotOf[queue.top().Cell] != slot)
+    for (int amount = 1; amount <= LargestAmount; ++amount)
     {
-      queue.pop(); // taken back since
-    }
-    if (!queue.empty() && slot % Amounts + 1 <= this->GetRoom(slot / Amounts) &&
-      (!best || *best < queue.top()))
-    {
-      best = &queue.top();
-      this->BestSlot = slot;
+      auto& queue = this->Waiting[number][amount - 1];
+      const auto isStale = [&](const Candidate& candidate)
+      {
+        const Shortage& shortage = this->ShortageOf[candidate.Cell];
+        return shortage.Number != number || shortage.Amount != amount;
+      };
+      while (!queue.empty() && isStale(queue.top()))
+      {
+        queue.pop();
+      }
+      if (!queue.empty() && amount <= this->GetRoom(number) && (!best || *best < queue.top()))
+      {
+        best = &queue.top();
+        this->BestQueue = &queue;
+      }
     }
   }
   return best;
@@ -175,9 +187,8 @@ const Candidate* Budget<D>::GetBest()
 template <int D>
 void Budget<D>::PopBest()
 {
-  auto& queue = this->Waiting[this->BestSlot];
-  this->Release(queue.top().Cell);
-  queue.pop();
+  this->Release(this->BestQueue->top().Cell);
+  this->BestQueue->pop();
 }
 
 template class Budget<2>;

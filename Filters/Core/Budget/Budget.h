@@ -1,7 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Limits on the topology of every approximation of a carving.
+ * Budgets: limits on the numbers of components, tunnels and voids of every approximation.
+ *
+ * Budgets are not in the paper, where carving removes the whole complement. With a budget, carving
+ * defers every tetrahedron whose removal would exceed a limit, and continues with the others. Each
+ * removal stays within the limits, and so does each approximation.
+ *
+ * Two questions decide whether a cell can be carved:
+ * - How would its removal change the Betti numbers of K, the closed complex of M, the solid and all
+ *   remaining cells? The Mayer-Vietoris sequence gives the change from the part of the cell's
+ *   boundary that the cell shares with the rest of K. See CarvedComplex. Rotations around the edges
+ *   of the cell (EdgeRotation) find this part.
+ * - How would its removal change the number of components of N, the remaining tetrahedra glued at
+ *   faces only? In space, manifold cutting may separate parts of K that touch only at edges and
+ *   vertices. So a limit of components applies to N as well as to K. See GluedParts.
+ *
+ * Both answers are local, except for one fact: whether the pieces around the cell are joined
+ * elsewhere. A LockstepSearch finds out, for K on a VertexGraph and for N on a FaceGraph. Nothing
+ * is searched as long as no limit is near: pieces that are not joined around the cell count as
+ * separate, which gives upper bounds. When a removal would exceed a limit by these bounds, the
+ * components are counted, and all later counts are exact.
+ *
+ * RemainingCells contains the cells and their states, and Labels the labels of pieces.
  */
 #ifndef carving_Budget_h
 #define carving_Budget_h
@@ -25,7 +46,7 @@ struct Candidate
   double Priority;
   int Cell;
 
-  /** Order of a std::priority_queue: the greatest is popped first. */
+  /** The order of a std::priority_queue: the greatest is popped first. */
   bool operator<(const Candidate& other) const
   {
     return this->Priority != other.Priority ? this->Priority < other.Priority
@@ -34,33 +55,39 @@ struct Candidate
 };
 
 /**
- * Lets cells be carved as long as no limit is exceeded, and keeps the others aside.
+ * Admits cells to be carved while no limit is exceeded, and defers the others.
  *
- * A cell that was refused waits for the number that it exceeds. While nothing about its own boundary
- * changes it never comes to need less, since components and tunnels that a removal makes only become more
- * as K shrinks; so it need not be looked at before there is room for as much.
+ * A deferred cell waits for room below the limit that its removal would exceed. The cell is not
+ * examined again before there is enough room, or the part of its boundary that it shares with K
+ * changes. While that part stays the same, the cell never needs less room: the numbers of
+ * components and tunnels that its removal would add can only grow as K shrinks.
  */
 template <int D>
 class Budget
 {
 public:
-  /** Of all cells neither is carved yet; the mesh must outlive this object. */
+  /** No cell is carved yet. A negative limit is none. The mesh must outlive this object. */
   Budget(
     const Decomposition<D>& mesh, const std::vector<CellState>& states, const BettiNumbers& limits);
 
-  /** Has the processor fetch a cell that will be needed soon. */
+  /** Prefetches a cell that may soon be examined. */
   void Fetch(int cell) const
   {
-    this->Rest.Fetch(cell);
-    if (this->Parts)
+    this->Complex.Fetch(cell);
+    if (this->Glued)
     {
-      this->Parts->Fetch(cell);
+      this->Glued->Fetch(cell);
     }
   }
 
-  /** Whether the cell can be carved now; it is then counted as carved. If not it is put aside. */
+  /**
+   * Returns whether the cell can be carved now. If so, counts it as carved; otherwise defers it.
+   */
   bool Admit(const Candidate& candidate);
-  /** Those put aside for which the last admitted may have changed something. They no longer are. */
+
+  /**
+   * The cells that are no longer deferred, because the last admitted cell may have affected them.
+   */
   const std::vector<int>& GetRequeued() const
   {
     return this->Requeued;
@@ -68,37 +95,46 @@ public:
 
   bool IsDeferred(int cell) const
   {
-    return this->SlotOf[cell] >= 0;
+    return this->ShortageOf[cell].Amount > 0;
   }
 
-  /** The first of the cells put aside for which there has come to be room, or nullptr. */
+  /** The first of the deferred cells for which there is enough room, or nullptr. */
   const Candidate* GetBest();
-  /** Takes it back. */
+  /** Ends the deferral of the cell that GetBest has just returned. */
   void PopBest();
 
 private:
-  static constexpr int Numbers = static_cast<int>(std::tuple_size_v<BettiNumbers>);
-  static constexpr int Amounts = 3; ///< no removal adds more to any of them
+  /** The limited numbers: the Betti numbers of K, and the components of N. */
+  static constexpr int NumberOfBettiNumbers = static_cast<int>(std::tuple_size_v<BettiNumbers>);
+  static constexpr int GluedComponents = NumberOfBettiNumbers;
+  static constexpr int NumberOfLimits = NumberOfBettiNumbers + 1;
+  /** No removal adds more to a limited number. */
+  static constexpr int LargestAmount = 3;
 
-  /** Of components, for those that only the cut surface would have too many of. */
-  static constexpr int PartsSlots = Amounts * Numbers;
-  static constexpr int NumberOfSlots = PartsSlots + Amounts;
+  /** The room that a deferred cell needs. */
+  struct Shortage
+  {
+    signed char Number = 0;
+    signed char Amount = 0; ///< 0: the cell is not deferred
+  };
 
   int GetRoom(int number) const;
-  bool Defer(const Candidate& candidate, int slot);
-  int FindSlot(const Removal<D>& removal) const;
-  int FindPartsSlot(int cell, GluedParts::Labels& labels);
+  Shortage FindShortage(int number, int change) const;
+  Shortage FindShortage(const RemovalEffect<D>& effect) const;
+  Shortage ExamineComplex(int cell, RemovalEffect<D>& effect);
+  Shortage ExamineGlued(int cell, Labels<4>& labels);
+  void Defer(const Candidate& candidate, Shortage shortage);
   bool Release(int cell);
-  void Requeue(int cell, const Removal<D>& removal);
+  void Requeue(int cell, const RemovalEffect<D>& effect);
 
-  CarvedComplex<D> Rest;
-  std::unique_ptr<GluedParts> Parts; ///< null in the plane and where components are not limited
+  CarvedComplex<D> Complex;
+  std::unique_ptr<GluedParts> Glued; ///< null in the plane and where components are not limited
   BettiNumbers Limits;
-  /** Slot `Amounts * number + amount - 1` and so on: what a cell waits for. Cells taken back remain. */
-  std::array<std::priority_queue<Candidate>, NumberOfSlots> Waiting;
-  std::vector<signed char> SlotOf; ///< per cell; -1 if it is not aside
+  /** By number and amount - 1. A queue may contain cells that no longer wait in it. */
+  std::array<std::array<std::priority_queue<Candidate>, LargestAmount>, NumberOfLimits> Waiting;
+  std::vector<Shortage> ShortageOf; ///< per cell
   int NumberDeferred = 0;
-  int BestSlot = 0;
+  std::priority_queue<Candidate>* BestQueue = nullptr; ///< the queue of the last GetBest
   std::vector<int> Requeued;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Budget/CarvedComplex.h"
 
+#include "Core/Budget/EdgeRotation.h"
+
 #include <algorithm>
 
 namespace carving
@@ -9,58 +11,39 @@ namespace
 {
 
 /**
- * Whether something else than the tetrahedron, and than its faces, holds the edge between two corners.
- * Turns both ways at once, so that it costs as much as the shorter one.
+ * Rotates from a carved cell around an edge to the first face that M or a remaining cell shares,
+ * and returns the far side of the face. Without such a face: Outside or the cell itself.
  */
-bool IsEdgeHeld(const RemainingCells<3>& cells, int cell, int p, int q)
+RemainingCells<3>::Behind FindNextShared(
+  const RemainingCells<3>& cells, int cell, EdgeRotation rotation)
 {
-  EdgeTurn turns[] = { { cells, cell, p, q, 0 }, { cells, cell, p, q, 1 } };
-  int at[] = { cell, cell };
-  for (;;)
+  auto next = rotation.GetNext();
+  while (!cells.IsShared(next) && next.Cell != Outside && next.Cell != cell)
   {
-    for (const int way : { 0, 1 })
-    {
-      if (at[way] == Outside)
-      {
-        continue;
-      }
-      at[way] = turns[way].GetBehind();
-      if (at[0] == at[1]) // all around, or both are outside C0
-      {
-        return false;
-      }
-      if (cells.IsFacet(at[way]) || cells.IsLeft(at[way]))
-      {
-        return at[way] != cell;
-      }
-      if (at[way] != Outside)
-      {
-        turns[way].Enter(at[way]);
-      }
-    }
+    rotation.Enter(next.Cell);
+    next = rotation.GetNext();
   }
+  return next;
 }
 
-/** The only cell besides the one carved last that holds the edge between two corners of that; else -1. */
-int FindOnlyHolder(const RemainingCells<3>& cells, int cell, int p, int q)
+/**
+ * The remaining cell that is found in both directions around the edge between corners p and q of a
+ * carved cell, or in one if the other leads to Outside. -1 if there is none, or if either direction
+ * leads to a facet of M.
+ */
+int FindLastCell(const RemainingCells<3>& cells, int cell, int p, int q)
 {
-  int only = -1;
-  for (const int way : { 0, 1 })
-  {
-    EdgeTurn turn(cells, cell, p, q, way);
-    int holder = turn.GetBehind();
-    while (holder >= 0 && holder != cell && !cells.IsLeft(holder))
-    {
-      turn.Enter(holder);
-      holder = turn.GetBehind();
-    }
-    if (cells.IsFacet(holder) || holder == cell || (only >= 0 && holder >= 0 && holder != only))
-    {
-      return -1;
-    }
-    only = std::max(only, holder);
-  }
-  return only;
+  const auto one = FindNextShared(cells, cell, { cells, cell, p, q, 0 });
+  const auto other = FindNextShared(cells, cell, { cells, cell, p, q, 1 });
+  const bool isOnly = one.Cell == other.Cell || one.Cell == Outside || other.Cell == Outside;
+  const int last = std::max<int>(one.Cell, other.Cell);
+  return isOnly && !one.IsFacet && !other.IsFacet && last != cell ? last : -1;
+}
+
+template <std::size_t N>
+int Count(const std::array<bool, N>& flags)
+{
+  return static_cast<int>(std::count(flags.begin(), flags.end(), true));
 }
 
 } // namespace
@@ -68,15 +51,15 @@ int FindOnlyHolder(const RemainingCells<3>& cells, int cell, int p, int q)
 template <int D>
 CarvedComplex<D>::CarvedComplex(const Decomposition<D>& mesh, const std::vector<CellState>& states)
   : Cells(mesh, states)
-  , Rest(mesh, this->Cells.States)
-  , Around(mesh.Surface.Points.size(), { 0, 0 })
+  , Graph(mesh, this->Cells.States)
+  , Stars(mesh.Surface.Points.size(), { 0, 0 })
 {
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     for (const int vertex : mesh.Cells[cell])
     {
-      auto& [count, combined] = this->Around[vertex];
-      count = states[cell] == CellState::Stays || count < 0 ? -1 : count + 1;
+      auto& [count, combined] = this->Stars[vertex];
+      count = states[cell] == CellState::Permanent || count < 0 ? -1 : count + 1;
       combined ^= cell;
     }
   }
@@ -84,146 +67,172 @@ CarvedComplex<D>::CarvedComplex(const Decomposition<D>& mesh, const std::vector<
   {
     for (const int vertex : facet)
     {
-      this->Around[vertex][0] = -1;
+      this->Stars[vertex].Count = -1;
     }
   }
 }
 
-/** Whether something else than the cell holds its face opposite to corner f. */
 template <int D>
-bool CarvedComplex<D>::IsFaceHeld(int cell, int f) const
+RemovalEffect<D> CarvedComplex<D>::Examine(int cell)
 {
-  const int behind = this->Cells.Records[cell].Behind[f];
-  return this->Cells.IsFacet(behind) || this->Cells.IsLeft(behind);
+  RemovalEffect<D> effect;
+  const Faces sharedFaces = this->FindSharedFaces(cell);
+  const int faces = Count(sharedFaces);
+  if (faces >= D) // A is a sphere, or a disk, with which nothing changes
+  {
+    effect.Change[D - 1] = faces - D;
+  }
+  else if (D == 3 && faces == 2)
+  {
+    this->ExamineEdge(cell, sharedFaces, effect);
+  }
+  else
+  {
+    this->ExaminePieces(cell, sharedFaces, effect);
+  }
+  return effect;
 }
 
+/** Per corner of a cell: whether the face opposite to the corner belongs to A. */
 template <int D>
-Removal<D> CarvedComplex<D>::Examine(int cell)
+typename CarvedComplex<D>::Faces CarvedComplex<D>::FindSharedFaces(int cell) const
 {
-  Removal<D> removal;
-  std::array<bool, D + 1> faceHeld;
-  int faces = 0;
+  Faces shared;
   for (int f = 0; f <= D; ++f)
   {
-    this->Fetch(std::max(this->Cells.GetNeighbor(cell, f), 0)); // most turns begin there
-    faceHeld[f] = this->IsFaceHeld(cell, f);
-    faces += faceHeld[f];
+    const auto& behind = this->Cells.Records[cell].Faces[f];
+    this->Fetch(std::max<int>(behind.Cell, 0)); // most rotations begin there
+    shared[f] = this->Cells.IsShared(behind);
   }
-  if (faces >= D) // a sphere, or but for one face, which changes nothing
+  return shared;
+}
+
+/**
+ * Whether the edge between two corners belongs to A. Both corners have to. Notes shared edges in
+ * `effect`.
+ */
+template <int D>
+bool CarvedComplex<D>::IsEdgeShared(
+  int cell, int p, int q, const Faces& sharedFaces, RemovalEffect<D>& effect) const
+{
+  if constexpr (D == 2)
   {
-    removal.Change[D - 1] = faces - D;
-    return removal;
+    return sharedFaces[3 - p - q];
   }
-  if constexpr (D == 3)
+  else
   {
-    if (faces == 2) // they share an edge, and the rest of the boundary another one
+    const auto [f, g] = OtherCorners(p, q);
+    if (sharedFaces[f] || sharedFaces[g])
     {
-      const int f =
-        static_cast<int>(std::find(faceHeld.begin(), faceHeld.end(), false) - faceHeld.begin());
-      const int g = static_cast<int>(
-        std::find(faceHeld.begin() + f + 1, faceHeld.end(), false) - faceHeld.begin());
-      const auto [q, p] = OtherCorners(f, g);
-      if (IsEdgeHeld(this->Cells, cell, p, q))
-      {
-        removal.Change[1] = 1;
-        removal.HeldEdges[EdgeIndex(p, q)] = true;
-      }
-      return removal;
+      return true;
     }
+    bool& shared = effect.SharedEdges[p][q];
+    shared = AnyAroundEdge(
+      this->Cells, cell, p, q, [this](const auto& next) { return this->Cells.IsShared(next); });
+    return shared;
   }
-  auto& labels = removal.Components;
-  std::array<bool, D + 1> vertexHeld;
+}
+
+/**
+ * Examines a tetrahedron with two faces in A, which form a disk. The edge between the other two
+ * faces joins two points of the disk's boundary, and so closes a loop if the edge belongs to A.
+ */
+template <int D>
+void CarvedComplex<D>::ExamineEdge(
+  int cell, const Faces& sharedFaces, RemovalEffect<D>& effect) const
+{
+  const auto begin = sharedFaces.begin(), end = sharedFaces.end();
+  const auto f = std::find(begin, end, false), g = std::find(f + 1, end, false);
+  const auto [q, p] = OtherCorners(static_cast<int>(f - begin), static_cast<int>(g - begin));
+  effect.Change[1] = this->IsEdgeShared(cell, p, q, sharedFaces, effect);
+}
+
+/** Examines a cell with at most one face in A. */
+template <int D>
+void CarvedComplex<D>::ExaminePieces(int cell, const Faces& sharedFaces, RemovalEffect<D>& effect)
+{
+  auto& labels = effect.Components;
+  int vertices = 0;
   for (int corner = 0; corner <= D; ++corner)
   {
-    const int count = this->Around[this->Cells.Records[cell].Corners[corner]][0];
-    vertexHeld[corner] = count < 0 || count > 1;
-    labels[corner] = vertexHeld[corner] ? corner : -1;
+    const int count = this->Stars[this->Cells.Records[cell].Corners[corner]].Count;
+    const bool shared = count < 0 || count > 1;
+    labels[corner] = shared ? corner : -1;
+    vertices += shared;
   }
   int edges = 0;
   for (int p = 0; p <= D; ++p)
   {
     for (int q = 0; q < p; ++q)
     {
-      bool held = false;
-      if constexpr (D == 2)
-      {
-        held = faceHeld[3 - p - q];
-      }
-      else
-      {
-        const auto [f, g] = OtherCorners(p, q);
-        const bool byEdge = !faceHeld[f] && !faceHeld[g] && vertexHeld[p] && vertexHeld[q] &&
-          IsEdgeHeld(this->Cells, cell, p, q);
-        removal.HeldEdges[EdgeIndex(p, q)] = byEdge;
-        held = faceHeld[f] || faceHeld[g] || byEdge;
-      }
-      if (held)
+      if (labels[p] >= 0 && labels[q] >= 0 && this->IsEdgeShared(cell, p, q, sharedFaces, effect))
       {
         ++edges;
-        std::replace(labels.begin(), labels.end(), int(labels[p]), int(labels[q]));
+        MergeLabels(labels, labels[p], labels[q]);
       }
     }
   }
-  // Euler characteristics: what is held is a part of a sphere, but not all of it.
-  const int vertices = static_cast<int>(std::count(vertexHeld.begin(), vertexHeld.end(), true));
+  // A is a proper part of a sphere, so its Euler characteristic is `pieces` minus `loops`.
+  const int faces = D == 3 ? Count(sharedFaces) : 0;
   const int pieces = CountLabels(labels);
-  const int loops = pieces - (vertices - edges + (D == 3 ? faces : 0));
-  // In the plane, and where there is no tunnel that could end, nothing but the cell joins the pieces.
-  const bool local = pieces < 2 || D == 2 || this->Numbers[1] == 0 || !this->IsExact;
-  const int components = local ? pieces : this->Rest.JoinAround(cell, labels);
-  removal.Change[0] = components - 1;
-  removal.Change[1] = loops - (pieces - components);
-  return removal;
+  const int loops = pieces - (vertices - edges + faces);
+  // In the plane, and while there is no tunnel, only the cell joins the pieces.
+  if (pieces > 1 && D == 3 && this->Numbers[1] > 0 && this->Exact)
+  {
+    this->Search.Join(this->Graph, cell, labels);
+  }
+  const int components = CountLabels(labels);
+  effect.Change[0] = components - 1;
+  effect.Change[1] = loops - (pieces - components);
 }
 
 template <int D>
-void CarvedComplex<D>::Carve(int cell, const Removal<D>& removal)
+void CarvedComplex<D>::MakeExact()
+{
+  this->Exact = true;
+  if (this->Numbers[0] > 1)
+  {
+    const int excess = this->Numbers[0] - this->Graph.CountComponents();
+    this->Numbers[0] -= excess;
+    this->Numbers[1] -= excess;
+  }
+}
+
+template <int D>
+void CarvedComplex<D>::Carve(int cell, const RemovalEffect<D>& effect)
 {
   for (std::size_t i = 0; i < this->Numbers.size(); ++i)
   {
-    this->Numbers[i] += removal.Change[i];
+    this->Numbers[i] += effect.Change[i];
   }
   this->Cells.States[cell] = CellState::Carved;
   for (const int vertex : this->Cells.Records[cell].Corners)
   {
-    auto& [count, combined] = this->Around[vertex];
+    auto& [count, combined] = this->Stars[vertex];
     count -= count > 0;
     combined ^= cell;
   }
 }
 
 template <int D>
-void CarvedComplex<D>::MakeExact()
+void CarvedComplex<D>::Keep(int cell, const RemovalEffect<D>& effect)
 {
-  this->IsExact = true;
-  if (this->Numbers[0] == 1)
+  if (effect.Change[0] > 0)
   {
-    return; // no less than that
-  }
-  const int excess = this->Numbers[0] - this->Rest.CountComponents();
-  this->Numbers[0] -= excess;
-  this->Numbers[1] -= excess;
-}
-
-template <int D>
-void CarvedComplex<D>::Keep(int cell, const Removal<D>& removal)
-{
-  if (removal.Change[0] > 0)
-  {
-    this->Rest.KeepAsBridge(cell, removal.Components);
+    this->Graph.KeepAsBridge(cell, effect.Components);
   }
 }
 
 template <int D>
-void CarvedComplex<D>::FindTouched(
-  int cell, const Removal<D>& removal, std::vector<int>& touched) const
+void CarvedComplex<D>::FindAffected(
+  int cell, const RemovalEffect<D>& effect, std::vector<int>& affected) const
 {
   for (int f = 0; f <= D; ++f)
   {
     const int neighbor = this->Cells.GetNeighbor(cell, f);
-    if (this->Cells.IsLeft(neighbor))
+    if (this->Cells.IsRemaining(neighbor))
     {
-      touched.push_back(neighbor);
+      affected.push_back(neighbor);
     }
   }
   if constexpr (D == 3)
@@ -232,21 +241,20 @@ void CarvedComplex<D>::FindTouched(
     {
       for (int q = 0; q < p; ++q)
       {
-        const int only =
-          removal.HeldEdges[EdgeIndex(p, q)] ? FindOnlyHolder(this->Cells, cell, p, q) : -1;
-        if (only >= 0)
+        const int last = effect.SharedEdges[p][q] ? FindLastCell(this->Cells, cell, p, q) : -1;
+        if (last >= 0)
         {
-          touched.push_back(only);
+          affected.push_back(last);
         }
       }
     }
   }
   for (const int vertex : this->Cells.Records[cell].Corners)
   {
-    const auto [count, combined] = this->Around[vertex];
+    const auto [count, combined] = this->Stars[vertex];
     if (count == 1)
     {
-      touched.push_back(combined);
+      affected.push_back(combined);
     }
   }
 }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What carving one more cell does to the topology of what is left.
+ * Betti numbers of K, and how the removal of a cell changes them.
  */
 #ifndef carving_CarvedComplex_h
 #define carving_CarvedComplex_h
 
-#include "Core/Budget/Connectivity.h"
+#include "Core/Budget/LockstepSearch.h"
 #include "Core/Budget/RemainingCells.h"
+#include "Core/Budget/VertexGraph.h"
 #include "Core/Mesh/BettiNumbers.h"
 #include "Core/Mesh/Mesh.h"
 
@@ -17,37 +18,42 @@
 namespace carving
 {
 
-/** What would change if a cell were carved. */
+/** The changes that the removal of a cell makes. */
 template <int D>
-struct Removal
+struct RemovalEffect
 {
-  /** Of the number of components, tunnels and voids. */
+  /** Changes of the numbers of components, tunnels and voids. */
   BettiNumbers Change = {};
-  /** Per corner of the cell, a number for its component of what would be left; -1 where it would be gone. */
-  typename Connectivity<D>::Labels Components = {};
-  /** Of a tetrahedron: the edges that others hold, but none behind its faces. */
-  std::array<bool, 6> HeldEdges = {};
+  /** Per corner: its component of K without the cell. Set where a component may split. */
+  Labels<D + 1> Components = {};
+  /**
+   * Per edge of a tetrahedron, from corner p to corner q < p, entry [p][q]: whether other cells or
+   * M share the edge but neither of the tetrahedron's two faces at the edge.
+   */
+  std::array<std::array<bool, 4>, 4> SharedEdges = {};
 };
 
 /**
- * The Betti numbers of K, the closed complex of M, the solid and all cells that are not carved, while
- * cells are carved.
+ * The Betti numbers of K, the closed complex of M, the solid and all remaining cells, while cells
+ * are carved. The paper does not compute Betti numbers.
  *
- * Of the boundary of a cell T, a sphere, A is what other cells of K or facets of M hold. By the
- * Mayer-Vietoris sequence of K = K' + T with the intersection A, where all of the exterior around T is in
- * one piece (T opens onto what has been carved before of its region):
- * - A is the whole sphere: a void begins (in the plane, a tunnel).
- * - Otherwise A has a pieces and l loops, which follow from its Euler characteristic. The pieces belong to
- *   c components of K', so that c - 1 components split off, a - c tunnels end and l begin.
+ * Let T be a cell and K' the complex K without T. A, the intersection of K' and T, is the part of
+ * T's boundary that T shares with other cells or with facets of M. All exterior around T is
+ * connected, since T opens onto the carved part of its own region. The Mayer-Vietoris sequence of
+ * K, the union of K' and T, then says:
+ * - If A is the whole boundary, a void opens (in the plane, a tunnel).
+ * - Otherwise let A have a pieces and l loops, and let the pieces belong to c components of K'.
+ *   Then c - 1 components split off, a - c tunnels end and l tunnels open.
  *
- * A is found by turning around the edges of T. Only c is not local, and even that is where there is one
- * piece, or no tunnel that could end.
+ * The numbers a and l are local: rotations around the edges of T find A, and its Euler
+ * characteristic is a - l. Only c may require a search of K', and only if A has several pieces and
+ * there is a tunnel that could end.
  */
 template <int D>
 class CarvedComplex
 {
 public:
-  /** Starts from C0, a ball. */
+  /** Starts from C0, a ball. The mesh must outlive this object. */
   CarvedComplex(const Decomposition<D>& mesh, const std::vector<CellState>& states);
   CarvedComplex(const CarvedComplex&) = delete;
   void operator=(const CarvedComplex&) = delete;
@@ -62,49 +68,60 @@ public:
     return this->Cells;
   }
 
-  /** Has the processor fetch what it needs to know of a cell that may soon be examined. */
+  /** Prefetches a cell that may soon be examined. */
   void Fetch(int cell) const
   {
     __builtin_prefetch(&this->Cells.Records[cell]);
   }
 
-  /** The cell must adjoin the exterior, or begin a region that M encloses. */
-  Removal<D> Examine(int cell);
+  /** The cell must adjoin the exterior, or be the first of a void. */
+  RemovalEffect<D> Examine(int cell);
 
   /**
-   * Until then, pieces of A count as components of their own: no component and no tunnel is missed, but there
-   * may be less, and as many of both.
+   * Counts the components in linear time; from then on all results are exact. Before, every piece
+   * of A counts as a component: the numbers of components and tunnels are upper bounds, too high by
+   * the same amount.
    */
   void MakeExact();
-  bool GetIsExact() const
+  bool IsExact() const
   {
-    return this->IsExact;
+    return this->Exact;
   }
 
-  /** The cell is carved. */
-  void Carve(int cell, const Removal<D>& removal);
+  /** Carves a cell that has just been examined. */
+  void Carve(int cell, const RemovalEffect<D>& effect);
 
-  /** The cell stays although K would fall apart without it. */
-  void Keep(int cell, const Removal<D>& removal);
+  /** Notes that a cell that has just been examined exactly is kept for now. */
+  void Keep(int cell, const RemovalEffect<D>& effect);
 
   /**
-   * Appends the cells that are left and behind a face of the cell, which has just been carved, or alone
-   * hold an edge or a vertex of it. What carving them would change may have become another.
+   * Appends the remaining cells whose boundary may share less with K since `cell`, the last one,
+   * was carved: its neighbors and the cells that are now alone at one of its edges or vertices.
    */
-  void FindTouched(int cell, const Removal<D>& removal, std::vector<int>& touched) const;
+  void FindAffected(int cell, const RemovalEffect<D>& effect, std::vector<int>& affected) const;
 
 private:
-  bool IsFaceHeld(int cell, int f) const;
+  using Faces = std::array<bool, D + 1>;
+
+  /** The carvable cells that remain around a vertex. */
+  struct Star
+  {
+    int Count;    ///< -1 for a vertex of M or of a permanent cell
+    int Combined; ///< the exclusive or of their indices: the index of the last one
+  };
+
+  Faces FindSharedFaces(int cell) const;
+  bool IsEdgeShared(
+    int cell, int p, int q, const Faces& sharedFaces, RemovalEffect<D>& effect) const;
+  void ExamineEdge(int cell, const Faces& sharedFaces, RemovalEffect<D>& effect) const;
+  void ExaminePieces(int cell, const Faces& sharedFaces, RemovalEffect<D>& effect);
 
   RemainingCells<D> Cells;
-  Connectivity<D> Rest;
+  VertexGraph<D> Graph;
+  LockstepSearch<VertexGraph<D>> Search;
   BettiNumbers Numbers = { 1, 0, 0 };
-  bool IsExact = D == 2;
-  /**
-   * Per vertex: how many of the cells that may be carved are left around it, and their indices combined
-   * by exclusive or, which of one is its index; -1 for a vertex of M or of a cell that stays for good.
-   */
-  std::vector<std::array<int, 2>> Around;
+  bool Exact = D == 2;
+  std::vector<Star> Stars; ///< per vertex
 };
 
 } // namespace carving

@@ -53,7 +53,7 @@ public:
       const RegionKind kind = regions.Kind(cell);
       if (!IsToBeCarved(kind, options))
       {
-        states[cell] = CellState::Stays;
+        states[cell] = CellState::Permanent;
         continue;
       }
       ++this->NumberToCarve;

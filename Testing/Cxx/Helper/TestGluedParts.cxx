@@ -91,7 +91,7 @@ TEST(GluedParts, AreCountedAsFromScratch)
     {
       if (stream.Step[cell] == Stream::Never && random() % 2 == 0)
       {
-        states[cell] = CellState::Stays;
+        states[cell] = CellState::Permanent;
       }
     }
     RemainingCells<3> cells(mesh, states);
@@ -99,16 +99,11 @@ TEST(GluedParts, AreCountedAsFromScratch)
     const int exactFrom = static_cast<int>(random() % (stream.LastStep() + 1));
     for (int step = 1; step <= stream.LastStep(); ++step)
     {
-      GluedParts::Labels labels = parts.Examine(order[step]);
       if (step == exactFrom)
       {
         parts.MakeExact();
       }
-      if (step >= exactFrom)
-      {
-        parts.Join(order[step], labels);
-      }
-      parts.Carve(order[step], labels);
+      parts.Carve(order[step], parts.Examine(order[step]));
       cells.States[order[step]] = CellState::Carved;
       if (step % (1 + stream.LastStep() / 20) == 0)
       {

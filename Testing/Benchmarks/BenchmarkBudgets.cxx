@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How much longer carving takes with budgets than without, as a ratio within one run, at about 150,000 and
- * 1.5 million tetrahedra.
+ * The time of carving with budgets relative to carving without, as a ratio within one run, at about
+ * 150,000 and 1.5 million tetrahedra.
  */
 #include "Core/Carving/Carver.h"
 #include "Figures.h"
@@ -26,7 +26,7 @@ struct Tetrahedra
   carving::Classification Regions;
 };
 
-/** Small triangles all over a cube, which seldom touch. */
+/** n small triangles all over a cube, which seldom touch. */
 carving::TriangleMesh Crumbs(int n)
 {
   std::mt19937_64 random(6);
@@ -46,7 +46,7 @@ carving::TriangleMesh Crumbs(int n)
   return mesh;
 }
 
-/** Of a tree with that many leaves (model 0), or of that many triangles that touch nothing (model 1). */
+/** `model` 0: a tree with `parts` leaves. `model` 1: `parts` small triangles. */
 const Tetrahedra& GetTetrahedra(int model, int parts)
 {
   static std::map<std::pair<int, int>, Tetrahedra> known;
@@ -66,7 +66,7 @@ const Tetrahedra& GetTetrahedra(int model, int parts)
   return found->second;
 }
 
-/** Returns the processor's seconds, of which other programs take none. */
+/** Returns processor time in seconds, which does not depend on other programs. */
 double Carve(
   const Tetrahedra& tetrahedra, const carving::BettiNumbers& budget, carving::Stream& stream)
 {
@@ -77,7 +77,7 @@ double Carve(
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/** Arguments: model, its parts, and the limits of components, tunnels and voids. */
+/** Arguments: the model, its parts, and the limits of components, tunnels and voids. */
 void CarveWithBudget(benchmark::State& state)
 {
   const Tetrahedra& tetrahedra =

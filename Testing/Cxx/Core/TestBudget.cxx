@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Budgets on tetrahedralizations for which it is known when a tetrahedron has to wait, and until when.
+ * Budgets on tetrahedralizations for which the cells to be deferred, and how long, are known.
  */
 #include "Core/Carving/Carver.h"
 #include "Homology.h"
@@ -17,7 +17,7 @@ using namespace carving;
 namespace
 {
 
-/** Carves in the order of the cells' numbers as far as it can, one cell a step. */
+/** Carves one cell a step, in the order of the indices as far as possible. */
 CarveOptions InOrder(const Tetrahedralization& mesh, const BettiNumbers& budget)
 {
   CarveOptions options;
@@ -39,9 +39,9 @@ Stream CarveWith(const Tetrahedralization& mesh, const CarveOptions& options)
 }
 
 /**
- * An octahedron in four cells around its axis from point 0 to 1. M is the two outer faces of cell 2. With
- * cells 0 and 1, which lie between the others, carved, to carve cell 2 leaves a ring of its outer faces and
- * the axis, as long as cell 3 holds the axis.
+ * An octahedron in four cells around its axis from point 0 to 1. M is the two outer faces of cell
+ * 2. Once cells 0 and 1, which lie between the others, have been carved, removing cell 2 leaves a
+ * ring of its outer faces and the axis, as long as cell 3 remains at the axis.
  */
 Tetrahedralization Octahedron()
 {
@@ -51,7 +51,7 @@ Tetrahedralization Octahedron()
     { { 0, 2, 3 }, { 1, 3, 2 } });
 }
 
-/** Cells in a row, M is the first face and the last one. */
+/** Cells in a row. M is the first and the last face. */
 Tetrahedralization RowBetweenFaces(int n)
 {
   const Tetrahedralization row = small::Row(n);
@@ -72,7 +72,7 @@ homology::BettiNumbers LastBettiNumbers(const Tetrahedralization& mesh, const St
 
 } // namespace
 
-// Without a budget cells go in order, and a tunnel opens when the third has gone.
+// Without a budget the cells are carved in order, and a tunnel opens with the third.
 TEST(Budget, IsNotNeededForTheOrder)
 {
   const Tetrahedralization mesh = Octahedron();
@@ -82,7 +82,8 @@ TEST(Budget, IsNotNeededForTheOrder)
     (homology::BettiNumbers{ 1, 1, 0, 0 }));
 }
 
-// A tetrahedron that would open a tunnel is put aside, and taken when a neighbor at an edge has gone.
+// A tetrahedron that would open a tunnel is deferred, and carved once a neighbor at an edge has
+// been.
 TEST(Budget, LooksAgainWhenTheNeighborhoodChanges)
 {
   const Tetrahedralization mesh = Octahedron();
@@ -90,7 +91,7 @@ TEST(Budget, LooksAgainWhenTheNeighborhoodChanges)
   EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 2, 4, 3 }));
 }
 
-// Where there is room for the tunnel it does not wait.
+// A tetrahedron is not deferred if the budget has room for the tunnel.
 TEST(Budget, LeavesTheOrderAloneWhileThereIsRoom)
 {
   const Tetrahedralization mesh = Octahedron();
@@ -100,7 +101,8 @@ TEST(Budget, LeavesTheOrderAloneWhileThereIsRoom)
   }
 }
 
-// Exposed tetrahedra are taken in part: what has to wait still goes in the same step if it can by then.
+// Some exposed tetrahedra of a step are deferred, and still carved in the same step once they can
+// be.
 TEST(Budget, TakesExposedTetrahedraInPart)
 {
   const Tetrahedralization mesh = Octahedron();
@@ -109,8 +111,8 @@ TEST(Budget, TakesExposedTetrahedraInPart)
   EXPECT_EQ(CarveWith(mesh, options).Step, (std::vector<int>{ 1, 1, 1, 1 }));
 }
 
-// One component has to stay one: of a row between two triangles what joins them stays, and no more than that:
-// neither the first nor the last of the cells that are left could go.
+// A row between two triangles stays connected, and has no cells to spare: without the first or the
+// last of the remaining cells there are two components.
 TEST(Budget, KeepsOneComponent)
 {
   const Tetrahedralization mesh = RowBetweenFaces(8);
@@ -137,7 +139,7 @@ TEST(Budget, KeepsOneComponent)
   }
 }
 
-// A limit of no component at all means one: the initial approximation has it.
+// A limit of 0 components means 1, since the initial approximation has one.
 TEST(Budget, TakesNoComponentForOne)
 {
   const Tetrahedralization mesh = RowBetweenFaces(8);
@@ -145,7 +147,7 @@ TEST(Budget, TakesNoComponentForOne)
     CarveWith(mesh, InOrder(mesh, { 1, -1, -1 })).Step);
 }
 
-// A void is opened if there is one to spare.
+// A void is opened only if the budget has room for it.
 TEST(Budget, OpensNoVoidBeyondIt)
 {
   const Tetrahedralization mesh = Hollow();
@@ -160,7 +162,8 @@ TEST(Budget, OpensNoVoidBeyondIt)
   EXPECT_EQ(stream.Step[12], 1);
 }
 
-// What is put aside for good has neither a step nor a priority nor a depth, like all that stays.
+// Cells that are deferred to the end have neither a step nor a priority nor a depth, like all cells
+// that stay.
 TEST(Budget, LeavesNothingOfWhatStays)
 {
   const Tetrahedralization mesh = RowBetweenFaces(8);

@@ -8,13 +8,13 @@ using namespace carving;
 int CountGlued(const Tetrahedralization& mesh, const Stream& stream, int step)
 {
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
-  const auto isLeft = [&](int cell) { return cell >= 0 && stream.Step[cell] > step; };
+  const auto isRemaining = [&](int cell) { return cell >= 0 && stream.Step[cell] > step; };
   DisjointSets sets(numberOfCells);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     for (const int neighbor : mesh.Neighbors[cell])
     {
-      if (isLeft(cell) && isLeft(neighbor))
+      if (isRemaining(cell) && isRemaining(neighbor))
       {
         sets.Unite(cell, neighbor);
       }
@@ -23,7 +23,7 @@ int CountGlued(const Tetrahedralization& mesh, const Stream& stream, int step)
   int components = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    components += isLeft(cell) && sets.Find(cell) == cell;
+    components += isRemaining(cell) && sets.Find(cell) == cell;
   }
   return components;
 }

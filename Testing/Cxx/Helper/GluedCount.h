@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Components of tetrahedra that are glued at faces, by other means than those of the code under test.
+ * Components of tetrahedra that are glued at faces, counted independently of the code under test.
  */
 #ifndef GluedCount_h
 #define GluedCount_h
@@ -9,7 +9,10 @@
 #include "Core/Carving/Carver.h"
 #include "Core/Mesh/Mesh.h"
 
-/** How many components the tetrahedra that are left have, glued at faces only; counted from scratch. */
+/**
+ * The number of components of the tetrahedra that remain after a step, glued at faces only; in
+ * linear time.
+ */
 int CountGlued(const carving::Tetrahedralization& mesh, const carving::Stream& stream, int step);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Budgets on random meshes and on those whose topology is known: what the profile says is judged by
- * Betti numbers from boundary matrices, which know nothing of how carving decides.
+ * Budgets on random meshes and on meshes of known topology, checked against Betti numbers from
+ * boundary matrices, which are independent of how carving decides.
  */
 #include "Core/Mesh/BettiNumbers.h"
 #include "Figures.h"
@@ -28,7 +28,7 @@ namespace
 
 constexpr homology::BettiNumbers Ball = { 1, 0, 0, 0 };
 
-/** How many random meshes to try: a slice by default, more through the environment. */
+/** The number of random meshes: few by default, more through the environment. */
 int NumberOfRandomBudgets()
 {
   const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_BUDGETS");
@@ -47,7 +47,7 @@ Tetrahedra Tetrahedralize(const TriangleMesh& mesh, Conformity conformity = Conf
   Job job;
   job.Mesh = mesh;
   job.Conformity = conformity;
-  job.EnclosingTolerance = 0.0; // no refinement: small enough to be judged at every step
+  job.EnclosingTolerance = 0.0; // no refinement: small enough for Betti numbers at every step
   const HelperRun run = RunHelper(job);
   EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
   return { run.Reply.Result, Classify(run.Reply.Result, rule) };
@@ -67,7 +67,9 @@ homology::BettiNumbers BettiNumbersAt(const Decomposition<D>& mesh, const Stream
   return homology::ComputeBettiNumbers(homology::ClosedComplex(mesh, stream, step));
 }
 
-/** Every step obeys the budget, by an independent count; returns the numbers of the last. */
+/**
+ * Expects every step to obey the budget, by an independent count. Returns the last step's numbers.
+ */
 template <int D>
 homology::BettiNumbers ExpectToObey(
   const Decomposition<D>& mesh, const Stream& stream, const BettiNumbers& budget)
@@ -85,7 +87,10 @@ homology::BettiNumbers ExpectToObey(
   return numbers;
 }
 
-/** Whether a step exceeds the budget, or, in its number of components, as its surface is cut. */
+/**
+ * Whether K of a step exceeds the budget, or the tetrahedra glued at faces have too many
+ * components.
+ */
 bool Exceeds(
   const Tetrahedralization& mesh, const Stream& stream, int step, const BettiNumbers& budget)
 {
@@ -102,7 +107,9 @@ bool Exceeds(
   return false;
 }
 
-/** Of all tetrahedra that adjoin the exterior none could be carved alone within the budget. */
+/**
+ * Expects that no tetrahedron that adjoins the exterior could be carved alone within the budget.
+ */
 void ExpectNothingMoreToCarve(
   const Tetrahedra& tetrahedra, Stream stream, const BettiNumbers& budget)
 {
@@ -137,7 +144,7 @@ CarveOptions DrawOptions(std::mt19937_64& random)
   return options;
 }
 
-/** At least one component; no limit one time in four. */
+/** Each number has no limit one time in four. At least one component. */
 BettiNumbers DrawBudget(std::mt19937_64& random)
 {
   BettiNumbers budget;
@@ -149,7 +156,7 @@ BettiNumbers DrawBudget(std::mt19937_64& random)
   return budget;
 }
 
-/** A random mesh, small enough that its Betti numbers can be computed at every step. */
+/** A random mesh that is small enough for Betti numbers at every step. */
 Tetrahedra DrawTetrahedra(std::mt19937_64& random)
 {
   const auto rule = static_cast<SolidRule>(random() % 3);
@@ -168,8 +175,8 @@ Tetrahedra DrawTetrahedra(std::mt19937_64& random)
 
 } // namespace
 
-// At every step of every carving components, tunnels and voids stay within random budgets, and in the end
-// nothing is left that could still go.
+// Components, tunnels and voids stay within random budgets at every step, and at the end no
+// tetrahedron that remains could be carved.
 TEST(Budgets, AreObeyedOnRandomMeshes)
 {
   std::mt19937_64 random(1847);
@@ -194,7 +201,7 @@ TEST(Budgets, AreObeyedOnRandomMeshes)
   }
 }
 
-// A budget that nothing exceeds changes nothing.
+// A budget that is never exceeded does not change the stream.
 TEST(Budgets, ChangeNothingWhereTheyAreNotNeeded)
 {
   std::mt19937_64 random(11);
@@ -209,7 +216,7 @@ TEST(Budgets, ChangeNothingWhereTheyAreNotNeeded)
   }
 }
 
-// With one component, no tunnel and no void, anything ends in a ball.
+// With one component, no tunnel and no void, the last approximation of any mesh is a ball.
 TEST(Budgets, WrapAnythingInABall)
 {
   std::mt19937_64 random(22);
@@ -227,7 +234,7 @@ TEST(Budgets, WrapAnythingInABall)
   }
 }
 
-// What is a torus without a budget stays a ball with none for tunnels, and is carved up to a lid.
+// A torus without a budget is a ball with a budget of no tunnels: all of it is carved except a lid.
 TEST(Budgets, KeepATorusClosed)
 {
   const Tetrahedra torus = Tetrahedralize(models::Torus(1.0, 0.4, 16, 8));
@@ -242,12 +249,12 @@ TEST(Budgets, KeepATorusClosed)
     return std::count_if(stream.Step.begin(), stream.Step.end(),
       [](int step) { return step != carving::Stream::Never; });
   };
-  // A lid over the hole takes no more than a fan of triangles as thick as a tetrahedron.
+  // A lid over the hole needs only a fan of triangles as thick as a tetrahedron.
   EXPECT_GT(countCarved(closed), countCarved(open) / 2);
   EXPECT_LT(countCarved(closed), countCarved(open));
 }
 
-// Two spheres stay joined with one component, and are apart with two.
+// Two spheres stay connected within a budget of one component, and are separate within one of two.
 TEST(Budgets, KeepTwoSpheresTogether)
 {
   const Tetrahedra spheres = Tetrahedralize(
@@ -260,7 +267,7 @@ TEST(Budgets, KeepTwoSpheresTogether)
   }
 }
 
-// Of three hollows in each other as many are opened as the budget has room for.
+// As many of four nested voids are opened as the budget has room for.
 TEST(Budgets, LeaveShellsFilled)
 {
   TriangleMesh mesh = models::Sphere(1);
@@ -268,7 +275,7 @@ TEST(Budgets, LeaveShellsFilled)
   {
     mesh = models::Joined(mesh, models::Moved(models::Sphere(1), { 0, 0, 0 }, scale));
   }
-  // Nothing is solid: between the shells and within the innermost there are four hollows.
+  // Nothing is solid, so there are four voids: between the shells and within the innermost one.
   const Tetrahedra shells = Tetrahedralize(mesh, Conformity::Exact, SolidRule::SurfaceOnly);
   for (int voids = 0; voids <= 5; ++voids)
   {
@@ -279,7 +286,7 @@ TEST(Budgets, LeaveShellsFilled)
   }
 }
 
-// Of the tunnels of a block of cheese (one of genus 12) as many are opened as the budget has room for.
+// As many tunnels of a mesh of genus 12 are opened as the budget has room for.
 TEST(Budgets, OpenSomeTunnelsOfManyOnly)
 {
   const Tetrahedra scone = Tetrahedralize(models::Scone());
@@ -292,7 +299,7 @@ TEST(Budgets, OpenSomeTunnelsOfManyOnly)
   }
 }
 
-// In the plane it is the same: the holes of a contour are its tunnels, and it has no voids.
+// Budgets hold in the plane, where the holes of a contour are its tunnels and there are no voids.
 TEST(Budgets, AreObeyedInThePlane)
 {
   std::mt19937_64 random(5);
@@ -305,7 +312,7 @@ TEST(Budgets, AreObeyedInThePlane)
     const int loops = 1 + static_cast<int>(random() % 8);
     for (int loop = 0; loop < loops; ++loop)
     {
-      // Polygons around random centers, the last edge of which may be missing.
+      // Polygons around random centers. The last edge may be missing.
       const int corners = 3 + static_cast<int>(random() % 8);
       const int first = static_cast<int>(job.Contours.Points.size());
       const double x = 4.0 * unit(random), y = 4.0 * unit(random), radius = 0.2 + unit(random);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Components of the tetrahedra that are left, glued at faces only, while they go one by one.
+ * Components of the remaining tetrahedra, glued at faces only, while they are carved one by one.
  */
 #include "Core/Budget/GluedParts.h"
 #include "GluedCount.h"
@@ -31,7 +31,7 @@ Tetrahedralization DrawTetrahedra(std::mt19937_64& random)
   return run.Reply.Result;
 }
 
-/** One tetrahedron a step, in a random order, but each beside the exterior, if there need not be a void. */
+/** Carves one tetrahedron a step, in a random order. Each adjoins the exterior. */
 Stream DrawOrder(const Tetrahedralization& mesh, std::mt19937_64& random)
 {
   Stream stream;
@@ -67,8 +67,8 @@ Stream DrawOrder(const Tetrahedralization& mesh, std::mt19937_64& random)
 
 } // namespace
 
-// While tetrahedra go in any order, through M too, there are as many components as are counted from scratch,
-// and until labels are joined no less.
+// While tetrahedra are carved in any order, also across M, the number of components is that of a
+// count from scratch; before it is exact, it is at least that.
 TEST(GluedParts, AreCountedAsFromScratch)
 {
   std::mt19937_64 random(64);

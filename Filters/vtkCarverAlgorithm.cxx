@@ -195,7 +195,7 @@ int vtkCarverAlgorithm::RequestDataObject(
     composite ? VTK_MULTIBLOCK_DATA_SET : VTK_TABLE };
   for (int port = 0; port < 3; ++port)
   {
-    OutputType::SetOutputDataObject(types[port], out->GetInformationObject(port));
+    OutputType::SetOutputDataObject(types[port], out->GetInformationObject(port), true);
   }
   return 1;
 }

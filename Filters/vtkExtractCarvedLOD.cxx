@@ -63,7 +63,7 @@ vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
   {
     const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
     OutputType::SetOutputDataObject(
-      composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0));
+      composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0), true);
     return 1;
   }
   return this->Superclass::ProcessRequest(request, in, out);

@@ -8,7 +8,10 @@
 
 #include "vtkDataObjectAlgorithm.h"
 
-/** Gives access to a static function that VTK reserves for subclasses. */
+/**
+ * Gives access to a static function that VTK reserves for subclasses. Its last argument must be
+ * true: else VTK 9.1 takes a multiblock for an unstructured grid.
+ */
 class OutputType : public vtkDataObjectAlgorithm
 {
 public:

@@ -16,7 +16,10 @@ namespace
 constexpr int NumberOfCarverPorts = 3;
 constexpr int StreamPort = 1; // of the carver's own ports
 
-/** Gives access to a static function that VTK reserves for subclasses. */
+/**
+ * Gives access to a static function that VTK reserves for subclasses. Its last argument must be
+ * true: else VTK 9.1 takes a multiblock for an unstructured grid.
+ */
 class OutputType : public vtkDataObjectAlgorithm
 {
 public:
@@ -86,7 +89,7 @@ int vtkPVCarver::RequestDataObject(
 {
   const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
   OutputType::SetOutputDataObject(
-    composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0));
+    composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0), true);
   return this->Superclass::RequestDataObject(request, in, GetCarverPorts(out));
 }
 

@@ -75,6 +75,29 @@ vtkNew<vtkTable> MakeColumns(vtkTable* profile, const Curve (&curves)[3], bool l
   return columns;
 }
 
+/** Sets the titles, scales and ranges of both axes. `most` is the greatest number of all curves. */
+void SetAxes(vtkChartXY* chart, vtkTable* profile, bool logarithmic, double most)
+{
+  vtkAxis* across = chart->GetAxis(vtkAxis::BOTTOM);
+  vtkAxis* up = chart->GetAxis(vtkAxis::LEFT);
+  across->SetTitle("vertices of the level");
+  up->SetTitle(logarithmic ? "number (none where no line is)" : "number");
+  for (vtkAxis* axis : { across, up })
+  {
+    axis->GetTitleProperties()->SetFontSize(16);
+    axis->GetLabelProperties()->SetFontSize(14);
+  }
+  chart->GetLegend()->SetLabelSize(16);
+  const double* vertices =
+    vtkDataArray::SafeDownCast(profile->GetColumnByName("Vertices"))->GetRange();
+  across->SetLogScale(vertices[1] > 10.0 * vertices[0]);
+  across->SetBehavior(vtkAxis::FIXED);
+  across->SetUnscaledRange(vertices[0], std::max(vertices[1], vertices[0] + 1.0));
+  up->SetLogScale(logarithmic);
+  up->SetBehavior(vtkAxis::FIXED);
+  up->SetUnscaledRange(logarithmic ? 0.8 : 0.0, std::max(2.0, 1.2 * most));
+}
+
 bool WriteChart(const std::string& fileName, vtkTable* profile, bool contours)
 {
   const Curve curves[3] = { { "Components", "components", { 31, 119, 180 } },
@@ -104,24 +127,7 @@ bool WriteChart(const std::string& fileName, vtkTable* profile, bool contours)
     plot->SetColor(curves[i].Color[0], curves[i].Color[1], curves[i].Color[2], 255);
     plot->SetWidth(2.5);
   }
-  vtkAxis* across = chart->GetAxis(vtkAxis::BOTTOM);
-  vtkAxis* up = chart->GetAxis(vtkAxis::LEFT);
-  across->SetTitle("vertices of the level");
-  up->SetTitle(logarithmic ? "number (none where no line is)" : "number");
-  for (vtkAxis* axis : { across, up })
-  {
-    axis->GetTitleProperties()->SetFontSize(16);
-    axis->GetLabelProperties()->SetFontSize(14);
-  }
-  chart->GetLegend()->SetLabelSize(16);
-  const double* vertices =
-    vtkDataArray::SafeDownCast(profile->GetColumnByName("Vertices"))->GetRange();
-  across->SetLogScale(vertices[1] > 10.0 * vertices[0]);
-  across->SetBehavior(vtkAxis::FIXED);
-  across->SetUnscaledRange(vertices[0], std::max(vertices[1], vertices[0] + 1.0));
-  up->SetLogScale(logarithmic);
-  up->SetBehavior(vtkAxis::FIXED);
-  up->SetUnscaledRange(logarithmic ? 0.8 : 0.0, std::max(2.0, 1.2 * most));
+  SetAxes(chart, profile, logarithmic, most);
   view->GetRenderWindow()->Render();
 
   vtkNew<vtkWindowToImageFilter> image;

@@ -77,7 +77,7 @@ bool CarverSession<D>::UpdateTree(vtkDataObject* input, const CarverPorts& ports
       << " cannot be carved. Apply Extract Surface, or merge it into polygonal data first.");
     return false;
   }
-  vtkMultiBlockDataSet* parents[] = { ports.Levels,
+  const std::array<vtkMultiBlockDataSet*, 3> parents = { ports.Levels,
     vtkMultiBlockDataSet::SafeDownCast(ports.Stream),
     vtkMultiBlockDataSet::SafeDownCast(ports.Profile) };
   for (vtkMultiBlockDataSet* parent : parents)
@@ -86,40 +86,47 @@ bool CarverSession<D>::UpdateTree(vtkDataObject* input, const CarverPorts& ports
   }
   for (unsigned int i = 0; i < children.size(); ++i)
   {
-    const CompositeChild& child = children[i];
-    vtkNew<vtkMultiBlockDataSet> levels;
-    vtkSmartPointer<vtkDataObject> stream, profile;
-    if (auto* leaf = vtkPolyData::SafeDownCast(child.Data))
-    {
-      stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      profile = vtkSmartPointer<vtkTable>::New();
-      // A leaf that fails has said so and stays empty; the others still come out.
-      this->UpdateLeaf(leaf, { levels, stream, profile });
-    }
-    else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))
-    {
-      stream = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      profile = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      this->UpdateTree(child.Data, { levels, stream, profile });
-    }
-    else if (child.Data)
-    {
-      vtkErrorWithObjectMacro(this->Filter,
-        << "Block " << i << " \"" << child.Name << "\" is a " << child.Data->GetClassName()
-        << ": only polygonal data can be carved. Apply Extract Surface first.");
-    }
+    this->UpdateChild(children[i], i, parents);
     if (IsAborted(this->Filter))
     {
       return false;
     }
-    vtkDataObject* results[] = { stream ? levels.Get() : nullptr, stream, profile };
-    for (int port = 0; port < 3; ++port)
-    {
-      parents[port]->SetBlock(i, results[port]);
-      SetBlockName(parents[port], i, child.Name);
-    }
   }
   return true;
+}
+
+template <int D>
+void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int index,
+  const std::array<vtkMultiBlockDataSet*, 3>& parents)
+{
+  vtkNew<vtkMultiBlockDataSet> levels;
+  vtkSmartPointer<vtkDataObject> stream, profile;
+  // After an error, which has been reported, the child's outputs stay empty and the other children
+  // go on.
+  if (auto* leaf = vtkPolyData::SafeDownCast(child.Data))
+  {
+    stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    profile = vtkSmartPointer<vtkTable>::New();
+    this->UpdateLeaf(leaf, { levels, stream, profile });
+  }
+  else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))
+  {
+    stream = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    profile = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    this->UpdateTree(child.Data, { levels, stream, profile });
+  }
+  else if (child.Data)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      << "Block " << index << " \"" << child.Name << "\" is a " << child.Data->GetClassName()
+      << ": only polygonal data can be carved. Apply Extract Surface first.");
+  }
+  vtkDataObject* const results[] = { stream ? levels.Get() : nullptr, stream, profile };
+  for (int port = 0; port < 3; ++port)
+  {
+    parents[port]->SetBlock(index, results[port]);
+    SetBlockName(parents[port], index, child.Name);
+  }
 }
 
 template class CarverSession<2>;

@@ -11,6 +11,7 @@
 #include "Session/CarverStages.h"
 #include "Session/DecomposedLeaf.h"
 
+struct CompositeChild;
 class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
@@ -66,6 +67,9 @@ public:
 private:
   bool UpdateLeaf(vtkPolyData* input, const CarverPorts& ports);
   bool UpdateTree(vtkDataObject* input, const CarverPorts& ports);
+  /** Fills the block of a child in the outputs of its parent. */
+  void UpdateChild(const CompositeChild& child, unsigned int index,
+    const std::array<vtkMultiBlockDataSet*, 3>& parents);
 
   CarverSettings Settings;
   vtkPolyData* Initial = nullptr;

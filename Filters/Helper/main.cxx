@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * carving-helper: reads a job on standard input and writes the reply to standard output. Protocol.h
- * says what they hold. Exit code 0 if there is a reply, be it an error, 2 if there is none.
+ * carving-helper: reads a job from standard input and writes the reply to standard output, in the
+ * format of Protocol.h. The exit code is 0 if there is a reply, even one with an error, and 2 if
+ * there is none.
  */
 #include "Core/Protocol/Protocol.h"
 #include "Helper/Attempts/ChildProcess.h"
@@ -25,11 +26,12 @@
 #include <unistd.h>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
 
-/** Reports on standard error and measures time. */
+/** Reports progress on standard error and measures the time of each stage. */
 class Reporter
 {
 public:
@@ -47,7 +49,7 @@ public:
     this->Report(0.0);
   }
 
-  /** At most a hundred lines a stage. */
+  /** Writes at most a hundred lines per stage. */
   bool Report(double fraction)
   {
     if (fraction >= this->LastReported + 0.01)
@@ -123,7 +125,7 @@ void TriangulateGiven(const Job& job, Reply& reply)
   }
 }
 
-/** Returns whether a reply has been written. */
+/** Does a job of any kind. Returns whether a reply has been written. */
 bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   switch (job.Kind)
@@ -151,7 +153,10 @@ std::string ReadAll(std::istream& in)
   return all;
 }
 
-/** Writes to the reply's file from its beginning, so that what a process before has left is gone. */
+/**
+ * Writes the reply from the beginning of its file, over anything that a failed child process has
+ * written.
+ */
 bool WriteReply(int descriptor, Reply& reply)
 {
   if (!reply.Error.empty())
@@ -161,7 +166,7 @@ bool WriteReply(int descriptor, Reply& reply)
   }
   std::fflush(stdout);
   dup2(descriptor, STDOUT_FILENO);
-  // Neither works on a pipe, which has nothing in it yet.
+  // Both fail on a pipe, where nothing has been written before.
   lseek(STDOUT_FILENO, 0, SEEK_SET);
   const int truncated = ftruncate(STDOUT_FILENO, 0);
   static_cast<void>(truncated);
@@ -180,9 +185,9 @@ bool WriteReply(int descriptor, Reply& reply)
 
 int main()
 {
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // no orphan survives the host
-  std::signal(SIGXFSZ, SIG_IGN); // a limit on files is an error in writing the reply, not the end
-  // Standard output is for the reply alone: what TetGen prints there goes to standard error.
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // the helper ends with its host
+  std::signal(SIGXFSZ, SIG_IGN);    // beyond a limit on file sizes, writing the reply fails instead
+  // Standard output is reserved for the reply: TetGen's output is redirected to standard error.
   const int replyDescriptor = dup(STDOUT_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   setvbuf(stdout, nullptr, _IOLBF, 0);

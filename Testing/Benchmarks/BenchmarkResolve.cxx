@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How the time to resolve grows with the number of pairs that meet: stacks of sheets in one plane, which
- * cover each other, and sheets that cross. The counter `growth` is the time a pair by that of the smallest
- * mesh of the kind in the same run: about 1 where time is linear in the pairs.
+ * The growth of the time to resolve with the number of intersecting pairs, for stacks of coplanar
+ * sheets and for crossing sheets. The counter `growth` is the time per pair divided by that of the
+ * smallest mesh of the kind in the same run. It is about 1 if the time is linear in the number of
+ * pairs.
  */
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Resolve.h"
@@ -15,10 +16,15 @@
 #include <map>
 #include <stdexcept>
 
+using namespace carving::helper;
+
 namespace
 {
 
-/** Sheets of squares, each shifted a little against the one before; in one plane, or upright in turn. */
+/**
+ * Sheets of squares, each shifted a little against the one before. With `upright`, every other
+ * sheet is upright.
+ */
 carving::TriangleMesh Sheets(int sheets, int size, bool upright)
 {
   carving::TriangleMesh mesh;
@@ -38,7 +44,7 @@ carving::TriangleMesh Sheets(int sheets, int size, bool upright)
   return mesh;
 }
 
-/** Arguments: number of sheets, squares along a side, whether every other one is upright. */
+/** Arguments: number of sheets, squares along a side, whether every other sheet is upright. */
 void ResolveSheets(benchmark::State& state)
 {
   const carving::ResolvedMesh given = Clean(AsResolved(Sheets(
@@ -69,7 +75,7 @@ void ResolveSheets(benchmark::State& state)
 
 } // namespace
 
-// The first four: ever more squares; then ever more sheets that cover each other; then ones that cross.
+// Ever more squares, ever more coplanar sheets, and crossing sheets.
 BENCHMARK(ResolveSheets)
   ->Args({ 4, 16, 0 })
   ->Args({ 4, 32, 0 })

@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+using namespace carving::helper;
 using namespace models;
 
-// No two triangles of a figure meet other than in shared vertices and edges.
+// Any two triangles of a figure meet only in shared vertices and edges.
 TEST(FigureModels, DoNotCrossThemselves)
 {
   for (const TriangleMesh& mesh :

@@ -34,12 +34,11 @@ enum class JobKind : int
 enum class InitialApproximation : int
 {
   ConvexHull = 0,
-  /** The bounding box, grown by BoxMargin of its diagonal on every side. */
+  /** The bounding box, grown by a hundredth of its diagonal on every side. */
   BoundingBox = 1,
   /** A closed mesh of genus zero (in the plane, a simple polygon) that encloses M, given with the job. */
   Custom = 2
 };
-constexpr double BoxMargin = 0.01;
 
 /** Whether M has to be a union of faces of tetrahedra. Enclosing is not in the paper. */
 enum class Conformity : int
@@ -105,7 +104,10 @@ struct Reply
   int InteriorDropped = 0;   ///< triangles with solid on both sides that were omitted
   int SolidMatters = 0;      ///< nonzero if the result may depend on the solid rule
   double SnapDistance = 0.0; ///< the largest displacement of a point of M by snapping
-  /** Pairs of triangles that met outside of shared vertices and edges after cleaning. */
+  /**
+   * Pairs of triangles that intersected outside of shared vertices and edges after cleaning. In the
+   * plane, points in the interior of edges at which other edges met them.
+   */
   int IntersectingPairs = 0;
   /** Wall-clock seconds, one entry per stage. */
   std::vector<double> StageSeconds;

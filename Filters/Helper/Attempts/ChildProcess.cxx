@@ -17,6 +17,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace carving::helper
+{
 namespace
 {
 
@@ -28,10 +30,10 @@ double ToSeconds(const timeval& time)
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/** Its signal, SIGALRM or SIGPROF, ends the process. */
+/** Starts a timer that ends the process by a signal: SIGALRM or SIGPROF. */
 void SetTimer(decltype(ITIMER_REAL) which, double seconds)
 {
-  const double counted = std::min(seconds, 1e9); // what the timer can count
+  const double counted = std::min(seconds, 1e9); // the timer's range
   const double whole = std::floor(counted);
   itimerval timer = {};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
@@ -39,13 +41,13 @@ void SetTimer(decltype(ITIMER_REAL) which, double seconds)
   setitimer(which, &timer, nullptr);
 }
 
-/** What is left of the processor time that this process may take. */
-double ProcessorSecondsLeft()
+/** The rest of this process's limit of processor time; infinite if there is no limit. */
+double RemainingProcessorSeconds()
 {
   itimerval timer = {};
   getitimer(ITIMER_PROF, &timer);
-  const double left = ToSeconds(timer.it_value);
-  return left > 0.0 ? left : HUGE_VAL;
+  const double remaining = ToSeconds(timer.it_value);
+  return remaining > 0.0 ? remaining : HUGE_VAL;
 }
 
 void Limit(const Limits& limits, double processorSeconds)
@@ -76,7 +78,7 @@ Ending Describe(int status, const Limits& limits)
       byClock ? limits.Seconds : limits.ProcessorSeconds, byClock ? "" : " of processor time");
     return { text, true };
   }
-  if (IsEndedBy(SIGKILL, status)) // the system does that where memory runs out
+  if (IsEndedBy(SIGKILL, status)) // by the system, when memory runs out
   {
     return { "was killed", true };
   }
@@ -95,8 +97,11 @@ Ending Describe(int status, const Limits& limits)
   }
 }
 
-/** A crash or a limit is to end it by a signal, which can be named, whatever the host does with those. */
-void LetSignalsEndThis()
+/**
+ * Restores the default actions, since a crash or a limit must end the child although its host may
+ * ignore the signal.
+ */
+void RestoreSignals()
 {
   for (const int signal : { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGPROF })
   {
@@ -105,6 +110,42 @@ void LetSignalsEndThis()
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void RunChild(
+  pid_t parent, const Limits& limits, double processorSeconds, const std::function<bool()>& work)
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent)
+  {
+    _exit(Failed); // the parent died before its death could send the signal
+  }
+  RestoreSignals();
+  Limit(limits, processorSeconds);
+  int code = OutOfMemory;
+  try
+  {
+    code = work() ? 0 : Failed;
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  std::fflush(nullptr);
+  _exit(code); // without destructors, which are the parent's
+}
+
+/**
+ * Subtracts the processor time of a child from the limit of this process, and ends this process if
+ * none remains.
+ */
+void ChargeProcessorTime(const rusage& used, double remaining, bool usedUp)
+{
+  const double rest = remaining - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
+  if (usedUp || rest <= 0.0)
+  {
+    std::raise(SIGPROF); // as this process's own timer would
+  }
+  SetTimer(ITIMER_PROF, rest);
 }
 
 } // namespace
@@ -123,7 +164,7 @@ Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work
 {
   std::fflush(nullptr);
   std::cout.flush();
-  const double left = ProcessorSecondsLeft();
+  const double remaining = RemainingProcessorSeconds();
   const double own = limits.ProcessorSeconds > 0.0 ? limits.ProcessorSeconds : HUGE_VAL;
   const pid_t self = getpid();
   const pid_t child = fork();
@@ -133,38 +174,18 @@ Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work
   }
   if (child == 0)
   {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != self)
-    {
-      _exit(Failed); // it died before it could have been a signal
-    }
-    LetSignalsEndThis();
-    Limit(limits, std::min(own, left));
-    int code = OutOfMemory;
-    try
-    {
-      code = work() ? 0 : Failed;
-    }
-    catch (const std::bad_alloc&)
-    {
-    }
-    std::fflush(nullptr);
-    _exit(code); // destructors are the parent's
+    RunChild(self, limits, std::min(own, remaining), work);
   }
   int status = 0;
   rusage used = {};
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
   {
   }
-  if (left < HUGE_VAL)
+  if (remaining < HUGE_VAL)
   {
-    const bool usedUp = left <= own && IsEndedBy(SIGPROF, status);
-    const double rest = left - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
-    if (usedUp || rest <= 0.0)
-    {
-      std::raise(SIGPROF); // as this process's timer would
-    }
-    SetTimer(ITIMER_PROF, rest);
+    ChargeProcessorTime(used, remaining, remaining <= own && IsEndedBy(SIGPROF, status));
   }
   return Describe(status, limits);
 }
+
+} // namespace carving::helper

@@ -7,6 +7,8 @@
 
 #include <sys/mman.h>
 
+namespace carving::helper
+{
 namespace
 {
 
@@ -49,8 +51,10 @@ void Log::Add(const std::string& attempt, const Ending& ending)
   }
 }
 
-void Log::CopyTo(carving::Reply& reply) const
+void Log::CopyTo(Reply& reply) const
 {
   reply.Attempts = this->Attempts.Get();
   reply.Limits = this->Limits.Get();
 }
+
+} // namespace carving::helper

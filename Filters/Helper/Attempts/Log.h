@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * What attempts that fail leave behind, from whichever process.
+ * The record of failed attempts, written by the child processes that made them.
  */
 #ifndef carving_Log_h
 #define carving_Log_h
@@ -11,7 +11,10 @@
 
 #include <string>
 
-/** Text that processes that are run apart, and theirs in turn, leave for this one; at most 8 KiB. */
+namespace carving::helper
+{
+
+/** Text that this process shares with its child processes, and they with theirs; at most 8 KiB. */
 class Messages
 {
 public:
@@ -27,16 +30,19 @@ private:
   char* Shared;
 };
 
-/** How attempts have ended, for the reply. */
+/** How attempts ended, for the reply. */
 class Log
 {
 public:
+  /** `attempt` is the beginning of the line that the mistake ends. */
   void Add(const std::string& attempt, const Ending& ending);
-  void CopyTo(carving::Reply& reply) const;
+  void CopyTo(Reply& reply) const;
 
 private:
-  Messages Attempts; ///< a line each
-  Messages Limits;   ///< those of the endings that were by a limit, each once
+  Messages Attempts; ///< one line per attempt
+  Messages Limits;   ///< one line per limit that ended any attempt
 };
+
+} // namespace carving::helper
 
 #endif

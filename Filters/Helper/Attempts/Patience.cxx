@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/Patience.h"
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
 /**
- * Seconds enough for any mesh that TetGen copes with: it takes milliseconds for a thousand triangles, a hundred
- * times that where it puts points on them, and for ever where it never ends to.
+ * Processor seconds that suffice for any mesh that TetGen can tetrahedralize. TetGen takes
+ * milliseconds per thousand triangles, a hundred times as long if it puts points on them, and on
+ * some meshes it never ends.
  */
 double PatienceOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets)
 {
@@ -48,3 +49,5 @@ Limits LimitsOfEnclosing(const Job& job)
   limits.Mebibytes = job.MemoryLimit;
   return limits;
 }
+
+} // namespace carving::helper

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * For how long a tetrahedralization is attempted. But for TimeLimit, in processor time: what comes out is not
- * to depend on what else the machine has to do.
+ * The limits of attempts. Time is processor time, so that the result does not depend on the load of
+ * the machine, except where the user sets TimeLimit, which is by the clock.
  */
 #ifndef carving_Patience_h
 #define carving_Patience_h
@@ -11,14 +11,18 @@
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Exact/Tetrahedralize.h"
 
+namespace carving::helper
+{
+
 /** For one attempt at a resolved mesh of so many triangles. */
-Limits LimitsOfAttempt(
-  const carving::Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets);
+Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t numberOfFacets);
 
 /** For resolving a mesh of so many triangles and all attempts at it together. */
-Limits LimitsOfExact(const carving::Job& job, std::size_t numberOfFacets);
+Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
-/** For enclosing a mesh: what the user has set. */
-Limits LimitsOfEnclosing(const carving::Job& job);
+/** For enclosing a mesh: the user's limits alone. */
+Limits LimitsOfEnclosing(const Job& job);
+
+} // namespace carving::helper
 
 #endif

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -17,7 +17,7 @@ std::vector<int> Order(std::size_t size, int seed)
   if (seed > 0)
   {
     std::mt19937 random(seed);
-    for (std::size_t i = size; i > 1; --i) // std::shuffle differs from library to library
+    for (std::size_t i = size; i > 1; --i) // std::shuffle differs between standard libraries
     {
       std::swap(order[i - 1], order[random() % i]);
     }
@@ -59,3 +59,5 @@ void Shuffle(int seed, ResolvedMesh& surface)
   surface.SignedMultiplicities = InOrder(facets, surface.SignedMultiplicities);
   surface.Multiplicities = InOrder(facets, surface.Multiplicities);
 }
+
+} // namespace carving::helper

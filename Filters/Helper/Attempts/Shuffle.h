@@ -4,7 +4,12 @@
 
 #include "Core/Mesh/Mesh.h"
 
-/** Puts the points and the facets in the order of a seed, 0 for their own. */
-void Shuffle(int seed, carving::ResolvedMesh& surface);
+namespace carving::helper
+{
+
+/** Puts the points and the facets in an order drawn from a seed; seed 0 keeps the given order. */
+void Shuffle(int seed, ResolvedMesh& surface);
+
+} // namespace carving::helper
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * The attempts at a tetrahedralization, one after the other, until one succeeds.
+ * The strategies for tetrahedralizing M, tried one after the other until one succeeds.
  */
 #ifndef carving_Strategies_h
 #define carving_Strategies_h
@@ -10,26 +10,37 @@
 
 #include <functional>
 
-/** What the ladder asks of the program around it. */
+namespace carving::helper
+{
+
+/** The services of the program that the strategies run in. */
 struct StrategyHost
 {
-  std::function<void(carving::Stage)> Begin;
+  std::function<void(Stage)> Begin;
   std::function<bool(double)> Report;
   std::function<void()> End;
-  /** Hands a reply over, from whichever process; what failed attempts have written is dropped. */
+  /** Writes the reply, from whichever process, over any reply that a failed attempt wrote. */
   std::function<bool()> Write;
 };
 
 /**
- * Resolves and tetrahedralizes `reply.Result.Surface`, which has been cleaned, and writes the reply. By
- * rungs, each in a process of its own:
- * 1. TetGen with M as it is, if need be with its points and triangles in other orders, which is all that
- *    many failures take, without the triangles inside the solid, and with points put on its triangles;
- * 2. where the job has a SnapTolerance and C0 is not given, TetGen with M's points rounded to a grid;
- * 3. unless the job's conformity is Exact, the Delaunay tetrahedralization that cannot fail.
- * Enclosing starts with 3; so does Auto where crossings are so many that resolving would multiply M.
- * Returns false with `reply.Error` if all rungs have failed; the caller writes that.
+ * Resolves and tetrahedralizes `reply.Result.Surface`, which has been cleaned, and writes the
+ * reply. Each strategy runs in a child process:
+ * 1. TetGen on M as it is. Since many failures depend on the order of the points and triangles
+ *    alone, other orders follow; so do M without the triangles inside the solid, and M with points
+ *    added on its triangles.
+ * 2. TetGen on M with its points rounded to a grid, if the job has a SnapTolerance and C0 is not
+ *    given.
+ * 3. The enclosing Delaunay tetrahedralization, which always succeeds, unless the job's conformity
+ *    is Exact or C0 is given.
+ *
+ * A job whose conformity is Enclosing starts with strategy 3. With Auto, strategies 1 and 2 give up
+ * where resolving so many crossings would multiply M.
+ *
+ * Returns false with `reply.Error`, which the caller writes, if all strategies fail.
  */
-bool TryStrategies(const carving::Job& job, carving::Reply& reply, const StrategyHost& host);
+bool TryStrategies(const Job& job, Reply& reply, const StrategyHost& host);
+
+} // namespace carving::helper
 
 #endif

@@ -4,10 +4,17 @@
 
 #include <cstddef>
 
-/** To a mesh of so many points no more than this are added: they would be of no use to anybody. */
+namespace carving::helper
+{
+
+/**
+ * The most points that may be added to a mesh of so many points. A result with more is of no use.
+ */
 inline std::size_t MaximumPointsAdded(std::size_t numberOfPoints)
 {
   return 10 * numberOfPoints + 100000;
 }
+
+} // namespace carving::helper
 
 #endif

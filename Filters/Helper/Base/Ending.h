@@ -4,11 +4,16 @@
 
 #include <string>
 
-/** How an attempt has ended. */
+namespace carving::helper
+{
+
+/** How an attempt ended. */
 struct Ending
 {
-  std::string Mistake;  ///< empty: well
-  bool ByLimit = false; ///< a limit on time, memory or points ended it: with more it might end well
+  std::string Mistake;  ///< why the attempt failed; empty if it succeeded
+  bool ByLimit = false; ///< a limit on time, memory or points ended it; a higher one might help
 };
+
+} // namespace carving::helper
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * The CGAL kernels of the helper program: Inexact decides exactly and constructs in double,
- * Exact constructs exactly too.
+ * The CGAL kernels of the helper program. Both have exact predicates; Inexact constructs in
+ * doubles, Exact constructs exactly.
  */
 #ifndef carving_Kernels_h
 #define carving_Kernels_h
@@ -12,17 +12,22 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+namespace carving::helper
+{
+
 using Inexact = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-inline Inexact::Point_3 ToInexact(const carving::Point& p)
+inline Inexact::Point_3 ToInexact(const Point& p)
 {
   return { p[0], p[1], p[2] };
 }
 
-inline Exact::Point_3 ToExact(const carving::Point& p)
+inline Exact::Point_3 ToExact(const Point& p)
 {
   return { p[0], p[1], p[2] };
 }
+
+} // namespace carving::helper
 
 #endif

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+namespace carving::helper
+{
+
 void CellContacts::Add(const PartContact& contact)
 {
   this->All.push_back(contact);
@@ -34,3 +37,5 @@ int CellContacts::PartOn(int f) const
   }
   return first;
 }
+
+} // namespace carving::helper

@@ -10,20 +10,23 @@
 
 #include <vector>
 
-/** How a part of M lies to a tetrahedron that it meets. */
+namespace carving::helper
+{
+
+/** A part of M, and how it meets a tetrahedron. */
 struct PartContact
 {
   int Part;
   Contact How;
 };
 
-/** What a tetrahedron knows. */
+/** The data of a tetrahedron. */
 struct CellContacts
 {
   std::vector<PartContact> All;
   int NumberOfPiercing = 0;
-  std::array<bool, 4> Near = {}; ///< faces found to be near enough to M
-  unsigned LastWalk = 0;         ///< that came by
+  std::array<bool, 4> Near = {}; ///< whether each face is known to be within the tolerance of M
+  unsigned LastWalk = 0;         ///< the last walk that visited the tetrahedron
   int Index = -1;
 
   void Add(const PartContact& contact);
@@ -33,8 +36,10 @@ struct CellContacts
   {
     return this->NumberOfPiercing > 0;
   }
-  /** The first part on a face; -1: none. */
+  /** The part of the lowest index on a face; -1: none. */
   int PartOn(int f) const;
 };
+
+} // namespace carving::helper
 
 #endif

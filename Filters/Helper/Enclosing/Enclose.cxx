@@ -5,8 +5,8 @@
 #include "Helper/Base/Effort.h"
 #include "Helper/Enclosing/Refine.h"
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -35,7 +35,7 @@ void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
   }
 }
 
-/** The faces on which parts of M lie. */
+/** Adds the faces on which parts of M lie. */
 void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
@@ -74,7 +74,7 @@ double Enclose(const ResolvedMesh& input, const std::vector<Point>& further, dou
   const SurfaceDistance distance(input);
   if (tolerance > 0.0)
   {
-    constexpr double Accuracy = 1.05; // of distances
+    constexpr double Accuracy = 1.05; // distances are exact to within this factor
     Refine(mesh, distance, tolerance * diagonal / Accuracy, MaximumPointsAdded(input.Points.size()),
       [&](double done) { return progress((1.0 + done) / 2.0); });
   }
@@ -88,3 +88,5 @@ double Enclose(const ResolvedMesh& input, const std::vector<Point>& further, dou
   constexpr double Negligible = 1e-4;
   return Reach(mesh, distance, Negligible * diagonal);
 }
+
+} // namespace carving::helper

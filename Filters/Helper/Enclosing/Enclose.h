@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * The rung that cannot fail: a Delaunay tetrahedralization in which every tetrahedron that M pierces is
- * kept for good.
+ * The strategy that always succeeds: a Delaunay tetrahedralization in which every tetrahedron that
+ * M pierces is kept, that is, never carved. Not in the paper.
  */
 #ifndef carving_Enclose_h
 #define carving_Enclose_h
@@ -12,16 +12,22 @@
 #include <functional>
 #include <vector>
 
+namespace carving::helper
+{
+
 /**
- * Tetrahedralizes the points of `input`, which has been cleaned and may cross itself, and `further` points
- * of C0; they must not all lie in one plane. Points are added until no tetrahedron that a triangle meets
- * reaches farther from M than `tolerance`, a share of the diagonal of M's bounding box; 0: none are.
- * `Kept` of the result marks these tetrahedra; `Surface` has the faces that overlap a triangle in an area,
- * as parts of M; `Unresolved` is the input. Returns the distance to which what is kept reaches from M, to
- * 5 %.
+ * Tetrahedralizes the points of `input`, which has been cleaned and may cross itself, and the
+ * `further` points of C0; not all points may lie in one plane. `tolerance` is a share of the
+ * diagonal of M's bounding box: points are added until no kept tetrahedron reaches farther from M,
+ * or until there are too many points. With 0, none are added.
+ *
+ * In the result, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
+ * of M in an area, as parts of M, and `Unresolved` is the input. Returns the largest distance of a
+ * kept tetrahedron's point from M, to within 5 %.
  */
-double Enclose(const carving::ResolvedMesh& input, const std::vector<carving::Point>& further,
-  double tolerance, const std::function<bool(double)>& progress,
-  carving::Tetrahedralization& result);
+double Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
+  const std::function<bool(double)>& progress, Tetrahedralization& result);
+
+} // namespace carving::helper
 
 #endif

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <tuple>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
-/** On which side of the plane through p and q that is parallel to ab the point x lies. */
+/** The side of the plane through p and q, parallel to ab, on which x lies. */
 template <class Kernel>
 struct SideAlongEdges
 {
@@ -27,17 +27,16 @@ struct SideAlongEdges
 using FilteredSideAlongEdges = CGAL::Filtered_predicate<SideAlongEdges<Inexact::Exact_kernel>,
   SideAlongEdges<Inexact::Approximate_kernel>, Inexact::C2E, Inexact::C2F>;
 
-constexpr int Edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
-constexpr int Others[6][2] = { { 2, 3 }, { 1, 3 }, { 1, 2 }, { 0, 3 }, { 0, 2 }, { 0, 1 } };
-
-/** Common corners are frequent: what they are on is known without exact arithmetic. */
+/**
+ * The side of a plane through three points. Equal points are frequent and need no exact arithmetic.
+ */
 CGAL::Orientation SideOfPlane(const Inexact::Point_3& a, const Inexact::Point_3& b,
   const Inexact::Point_3& c, const Inexact::Point_3& x)
 {
   return x == a || x == b || x == c ? CGAL::COPLANAR : CGAL::orientation(a, b, c, x);
 }
 
-/** Whether a face of the tetrahedron has all of the triangle in front of it or in its plane. */
+/** Whether the plane of a face of the tetrahedron separates the triangle from it. */
 bool FaceSeparates(const Corners3& t, const Corners4& k)
 {
   for (const auto& f : FaceCorners)
@@ -51,7 +50,7 @@ bool FaceSeparates(const Corners3& t, const Corners4& k)
       {
         side = SideOfPlane(k[f[0]], k[f[1]], k[f[2]], t[i]);
       }
-      // Corners that see a face counter-clockwise are in front of it.
+      // A point in front of a face sees it counter-clockwise.
       outside = side != CGAL::NEGATIVE;
     }
     if (outside)
@@ -62,8 +61,8 @@ bool FaceSeparates(const Corners3& t, const Corners4& k)
   return false;
 }
 
-/** For each corner of the triangle the same one of the tetrahedron; -1: none. */
-std::array<int, 3> CommonCorners(const Corners3& t, const Corners4& k)
+/** For each corner of a triangle, the equal corner of a tetrahedron; -1: none. */
+std::array<int, 3> FindCommonCorners(const Corners3& t, const Corners4& k)
 {
   std::array<int, 3> common;
   for (int i = 0; i < 3; ++i)
@@ -74,116 +73,129 @@ std::array<int, 3> CommonCorners(const Corners3& t, const Corners4& k)
   return common;
 }
 
+/** A triangle and a tetrahedron, seen from one edge of the tetrahedron. */
+struct EdgeView
+{
+  const Corners3& T;
+  const Corners4& K;
+  std::array<int, 3> Common; ///< corners of both
+  int P, Q;                  ///< the ends of the edge
+  std::array<int, 2> Others; ///< the other corners of the tetrahedron
+  Difference Along;          ///< from P to Q
+  std::array<Difference, 2> ToOthers;
+
+  EdgeView(const Corners3& t, const Corners4& k, const std::array<int, 3>& common, int p, int q)
+    : T(t)
+    , K(k)
+    , Common(common)
+    , P(p)
+    , Q(q)
+    , Others(OtherCorners(p, q))
+    , Along(k[p], k[q])
+    , ToOthers{ Difference(k[p], k[this->Others[0]]), Difference(k[p], k[this->Others[1]]) }
+  {
+  }
+
+  /** Whether a corner of the triangle is an end of the edge. */
+  bool IsEnd(int corner) const
+  {
+    return this->Common[corner] == this->P || this->Common[corner] == this->Q;
+  }
+};
+
+/** The plane through an edge of a tetrahedron that is parallel to an edge of a triangle. */
+class EdgePlane
+{
+public:
+  /** The triangle's edge is from corner `a` to the next corner. */
+  EdgePlane(const EdgeView& view, int a, const Difference& ab)
+    : View(view)
+    , A(a)
+    , B((a + 1) % 3)
+    , Filter(view.Along, ab)
+  {
+  }
+
+  /**
+   * Whether the tetrahedron is on one side and the triangle on the other; both may touch the plane.
+   */
+  bool Separates() const
+  {
+    const int side = this->SideOfTetrahedron();
+    // Corners A and B are on the same side, as their edge is parallel to the plane.
+    return side != 0 && (this->View.IsEnd(this->B) || this->IsBeyond(this->A, side)) &&
+      this->IsBeyond((this->A + 2) % 3, side);
+  }
+
+private:
+  CGAL::Orientation SideOf(const Inexact::Point_3& x, const Difference& toX) const
+  {
+    const auto& [t, k] = std::tie(this->View.T, this->View.K);
+    CGAL::Orientation side;
+    return this->Filter.FindSide(toX, side)
+      ? side
+      : FilteredSideAlongEdges()(k[this->View.P], k[this->View.Q], t[this->A], t[this->B], x);
+  }
+
+  /** The side of one of the other two corners of the tetrahedron. */
+  int SideOfOther(int n) const
+  {
+    // If A and B are corners of the face of the edge and this corner, that face lies in the plane.
+    const auto isOnFace = [&](int corner) {
+      return this->View.Common[corner] >= 0 &&
+        this->View.Common[corner] != this->View.Others[1 - n];
+    };
+    return isOnFace(this->A) && isOnFace(this->B)
+      ? CGAL::ZERO
+      : this->SideOf(this->View.K[this->View.Others[n]], this->View.ToOthers[n]);
+  }
+
+  /** 0 if the plane cuts the tetrahedron, or if the edges are parallel. */
+  int SideOfTetrahedron() const
+  {
+    const int first = this->SideOfOther(0), second = this->SideOfOther(1);
+    return first * second < 0 ? 0 : first != 0 ? first : second;
+  }
+
+  /**
+   * Whether a corner of the triangle is in the plane or on the side opposite to the tetrahedron.
+   */
+  bool IsBeyond(int corner, int side) const
+  {
+    const Inexact::Point_3& x = this->View.T[corner];
+    return this->View.IsEnd(corner) ||
+      side * this->SideOf(x, { this->View.K[this->View.P], x }) <= 0;
+  }
+
+  const EdgeView& View;
+  int A, B;
+  SpannedPlane Filter;
+};
+
+/**
+ * Whether a plane through an edge of the tetrahedron, parallel to an edge of the triangle,
+ * separates them.
+ */
 bool EdgesSeparate(const Corners3& t, const Corners4& k)
 {
-  const std::array<int, 3> common = CommonCorners(t, k);
-  const std::array<Difference, 3> ofTriangle = { Difference(t[0], t[1]), Difference(t[1], t[2]),
+  const std::array<int, 3> common = FindCommonCorners(t, k);
+  const std::array<Difference, 3> sides = { Difference(t[0], t[1]), Difference(t[1], t[2]),
     Difference(t[2], t[0]) };
-  for (int e = 0; e < 6; ++e)
+  for (int p = 0; p < 3; ++p)
   {
-    const auto& [first, second] = Edges[e];
-    const auto& p = k[first];
-    const auto& q = k[second];
-    const Difference edge(p, q);
-    const std::array<Difference, 2> toOthers = { Difference(p, k[Others[e][0]]),
-      Difference(p, k[Others[e][1]]) };
-    for (int i = 0; i < 3; ++i)
+    for (int q = p + 1; q < 4; ++q)
     {
-      const int next = (i + 1) % 3, last = (i + 2) % 3;
-      const auto& a = t[i];
-      const auto& b = t[next];
-      const SpannedPlane planes(edge, ofTriangle[i]);
-      const auto sideOf = [&](const Inexact::Point_3& x, const Difference& toX)
+      const EdgeView view(t, k, common, p, q);
+      for (int a = 0; a < 3; ++a)
       {
-        CGAL::Orientation side;
-        return planes.FindSide(toX, side) ? side : FilteredSideAlongEdges()(p, q, a, b, x);
-      };
-      const auto sideOfOther = [&](int n)
-      {
-        const int beyond = Others[e][1 - n];
-        const bool bothInPlane = common[i] >= 0 && common[next] >= 0 && common[i] != beyond &&
-          common[next] != beyond; // the edge is one of p, q and this corner
-        return bothInPlane ? CGAL::ZERO : sideOf(k[Others[e][n]], toOthers[n]);
-      };
-      const int r = sideOfOther(0), s = sideOfOther(1);
-      if (r * s < 0 || (r == 0 && s == 0))
-      {
-        continue; // no plane that supports the tetrahedron, or parallel edges
-      }
-      const int own = r != 0 ? r : s;
-      const auto isBeyond = [&](int corner)
-      {
-        return common[corner] == first || common[corner] == second ||
-          own * sideOf(t[corner], { p, t[corner] }) <= 0;
-      };
-      // The side of a is that of b: the plane is parallel to their edge.
-      const bool touches = common[next] == first || common[next] == second;
-      if ((touches || isBeyond(i)) && isBeyond(last))
-      {
-        return true;
+        if (EdgePlane(view, a, sides[a]).Separates())
+        {
+          return true;
+        }
       }
     }
   }
   return false;
-}
-
-/** Two coordinates in which a triangle keeps an area, in the order in which it is counter-clockwise. */
-std::array<int, 2> ProjectionOf(const Corners3& t)
-{
-  for (const auto& [x, y] : { std::array{ 0, 1 }, std::array{ 1, 2 }, std::array{ 2, 0 } })
-  {
-    const auto flat = [x = x, y = y](const Inexact::Point_3& p)
-    { return Inexact::Point_2(p[x], p[y]); };
-    const CGAL::Orientation turn = CGAL::orientation(flat(t[0]), flat(t[1]), flat(t[2]));
-    if (turn != CGAL::COLLINEAR)
-    {
-      return turn == CGAL::POSITIVE ? std::array{ x, y } : std::array{ y, x };
-    }
-  }
-  return { 0, 1 }; // not for a triangle that has an area
-}
-
-using Flat = std::array<Inexact::Point_2, 3>;
-
-Flat Project(const Corners3& t, const std::array<int, 2>& axes)
-{
-  Flat flat;
-  for (int i = 0; i < 3; ++i)
-  {
-    flat[i] = { t[i][axes[0]], t[i][axes[1]] };
-  }
-  return flat;
-}
-
-/** Whether an edge of a counter-clockwise triangle has all of another on its outer side. */
-bool EdgeSeparates(const Flat& a, const Flat& b)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    bool outside = true;
-    for (int k = 0; k < 3 && outside; ++k)
-    {
-      outside = CGAL::orientation(a[i], a[(i + 1) % 3], b[k]) != CGAL::POSITIVE;
-    }
-    if (outside)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** Whether the interiors of two triangles in one plane meet. */
-bool Overlap(const Corners3& a, const Corners3& b)
-{
-  const std::array<int, 2> axes = ProjectionOf(a);
-  const Flat first = Project(a, axes);
-  Flat second = Project(b, axes);
-  if (CGAL::orientation(second[0], second[1], second[2]) == CGAL::NEGATIVE)
-  {
-    std::swap(second[1], second[2]);
-  }
-  return !EdgeSeparates(first, second) && !EdgeSeparates(second, first);
 }
 
 } // namespace
@@ -207,7 +219,10 @@ CGAL::Orientation Piercer::SideOf(const Inexact::Point_3& x) const
     : SideOfPlane(this->Corners[0], this->Corners[1], this->Corners[2], x);
 }
 
-bool Piercer::IsClose(const Corners4& k) const
+/**
+ * Whether the triangle's bounding box meets that of the tetrahedron in more than their boundaries.
+ */
+bool Piercer::MeetsBox(const Corners4& k) const
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -226,11 +241,12 @@ bool Piercer::IsClose(const Corners4& k) const
 Contact Piercer::FindContact(const Corners4& k) const
 {
   Contact contact;
-  if (!this->IsClose(k))
+  if (!this->MeetsBox(k))
   {
     return contact;
   }
-  int above = 0, below = 0, last = 0; // the last one that is not in the plane
+  int above = 0, below = 0;
+  int last = 0; // the last corner off the plane: the face opposite to it may be in the plane
   for (int i = 0; i < 4; ++i)
   {
     const CGAL::Orientation side = this->SideOf(k[i]);
@@ -250,16 +266,4 @@ Contact Piercer::FindContact(const Corners4& k) const
   return contact;
 }
 
-bool OverlapInPlane(const Corners3& a, const Corners3& b)
-{
-  return std::all_of(b.begin(), b.end(),
-           [&](const Inexact::Point_3& p)
-           { return SideOfPlane(a[0], a[1], a[2], p) == CGAL::COPLANAR; }) &&
-    Overlap(a, b);
-}
-
-bool FaceAlike(const Corners3& a, const Corners3& b)
-{
-  const Flat flat = Project(b, ProjectionOf(a));
-  return CGAL::orientation(flat[0], flat[1], flat[2]) == CGAL::POSITIVE;
-}
+} // namespace carving::helper

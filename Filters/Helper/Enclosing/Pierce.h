@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * How a triangle lies to a tetrahedron, decided exactly.
+ * Whether and how a triangle meets a tetrahedron, decided exactly.
  */
 #ifndef carving_Pierce_h
 #define carving_Pierce_h
 
 #include "Core/Mesh/Vector.h"
-#include "Helper/Base/Kernels.h"
+#include "Helper/Base/CoplanarTriangles.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-using Corners3 = std::array<Inexact::Point_3, 3>;
+namespace carving::helper
+{
+
 using Corners4 = std::array<Inexact::Point_3, 4>;
 
-/** How a triangle lies to a tetrahedron. */
+/** How a triangle meets a tetrahedron. */
 struct Contact
 {
-  bool Pierces = false; ///< it meets the interior
-  int Face = -1;        ///< else the face that it overlaps in an area; -1: none
+  bool Pierces = false; ///< the triangle meets the interior
+  int Face = -1;        ///< if not, the face that the triangle overlaps in an area; -1: none
 
   bool Exists() const
   {
@@ -28,11 +30,13 @@ struct Contact
   }
 };
 
-/** From one point to another in doubles; its largest entry is 0 just if they are equal. */
+/**
+ * The vector from one point to another in doubles. `Most` is 0 if and only if the points are equal.
+ */
 struct Difference
 {
-  carving::Point Along;
-  double Most;
+  Point Along;
+  double Most; ///< the largest absolute coordinate
 
   Difference(const Inexact::Point_3& from, const Inexact::Point_3& to)
     : Along{ to.x() - from.x(), to.y() - from.y(), to.z() - from.z() }
@@ -42,64 +46,63 @@ struct Difference
   }
 };
 
-/** Two differences, which may be asked for their determinant with others. */
+/** The plane that two differences span: a floating-point filter for orientations. */
 class SpannedPlane
 {
 public:
   SpannedPlane(const Difference& u, const Difference& v)
-    : Normal(carving::Cross(u.Along, v.Along))
+    : Normal(Cross(u.Along, v.Along))
     , Limit(Bound * u.Most * v.Most)
     , Usable(std::min(u.Most, v.Most) > Tiny && std::max(u.Most, v.Most) < Huge)
   {
   }
 
   /**
-   * Whether rounding cannot turn the determinant's sign: its error is below Bound times the product of
-   * the differences' largest entries, by some three times.
+   * Sets `side` to the sign of the determinant of u, v and w, and returns whether the sign is
+   * certain: the rounding error is less than a third of Bound times the product of the three
+   * largest coordinates.
    */
   bool FindSide(const Difference& w, CGAL::Orientation& side) const
   {
-    const double determinant = carving::Dot(this->Normal, w.Along);
+    const double determinant = Dot(this->Normal, w.Along);
     side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
     return this->Usable && w.Most > Tiny && w.Most < Huge &&
       std::abs(determinant) > this->Limit * w.Most;
   }
 
 private:
-  static constexpr double Bound = 1.5e-14, Tiny = 1e-90, Huge = 1e90; // neither under- nor overflow
-  carving::Point Normal;
+  static constexpr double Bound = 1.5e-14;
+  static constexpr double Tiny = 1e-90, Huge = 1e90; ///< in between, nothing under- or overflows
+  Point Normal;
   double Limit;
   bool Usable;
 };
 
-/** A triangle that has an area, prepared for being compared with many tetrahedra. */
+/** A triangle that has an area, prepared for comparison with many tetrahedra. */
 class Piercer
 {
 public:
   explicit Piercer(const Corners3& corners);
 
   /**
-   * With a positively oriented tetrahedron. The triangle does not meet its interior just if some plane has
-   * the one on its one and the other on its other side, touching allowed; candidates are the planes of the
-   * faces, that of the triangle, and those along an edge of each.
+   * The contact with a positively oriented tetrahedron. The triangle misses the interior if and
+   * only if a plane separates the two, where touching the plane is allowed. It suffices to test the
+   * plane of the triangle, the planes of the tetrahedron's faces, and the planes through an edge of
+   * the tetrahedron that are parallel to an edge of the triangle.
    */
   Contact FindContact(const Corners4& tetrahedron) const;
 
-  /** The side of its plane that a point is on. */
+  /** The side of the triangle's plane on which a point lies. */
   CGAL::Orientation SideOf(const Inexact::Point_3& x) const;
 
 private:
-  bool IsClose(const Corners4& tetrahedron) const;
+  bool MeetsBox(const Corners4& tetrahedron) const;
 
   Corners3 Corners;
   SpannedPlane Plane;
-  carving::Point Least, Most; ///< of its bounding box
+  Point Least, Most; ///< of the bounding box
 };
 
-/** Whether two triangles lie in one plane and their interiors meet. */
-bool OverlapInPlane(const Corners3& a, const Corners3& b);
-
-/** Whether two triangles in one plane face the same way. */
-bool FaceAlike(const Corners3& a, const Corners3& b);
+} // namespace carving::helper
 
 #endif

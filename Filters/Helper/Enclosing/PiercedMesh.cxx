@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -63,7 +63,7 @@ Corners3 PiercedMesh::CornersOf(int part) const
     this->Vertices[corners[2]]->point() };
 }
 
-/** Most parts are faces. Then there is nothing to look for. */
+/** Finds the contacts of a part that is a face, as most parts are, without a search. */
 bool PiercedMesh::PlaceOnFace(int part)
 {
   const Triangle& corners = this->Parts.GetParts()[part].Corners;
@@ -106,8 +106,8 @@ void PiercedMesh::PushStar(const Vertex& v, std::vector<Cell>& stack)
 }
 
 /**
- * Visits the tetrahedra that may meet a part: those around one of its corners, and beyond each for which
- * `visit` says that it does.
+ * Visits the tetrahedra that may meet a part: those around one of its corners, and the neighbors of
+ * each tetrahedron for which `visit` returns that the part meets it.
  */
 template <class Visit>
 void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
@@ -131,8 +131,9 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
     for (int i = 0; i < 4; ++i)
     {
       this->Push(cell->neighbor(i), stack);
-      // Along an edge in the triangle it may go on in cells that share no face with this one. An edge
-      // that has two corners of the triangle for its ends is at its border.
+      // If an edge of the cell lies in the triangle, the part may continue in cells around that
+      // edge that share no face with this cell. Corners of the triangle need no search, since an
+      // edge between two of them is on the border.
       const Vertex v = cell->vertex(i);
       if (v->info().LastWalk != this->NumberOfWalks)
       {
@@ -146,7 +147,7 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
   }
 }
 
-/** Notes how a part lies to a cell; returns whether they meet. */
+/** Records the contact of a part with a cell; returns whether there is one. */
 bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 {
   const Contact contact = piercer.FindContact(CornersOfCell(cell));
@@ -161,7 +162,7 @@ bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 void PiercedMesh::Place(int part)
 {
   const Corners3 corners = this->CornersOf(part);
-  // Rounding can leave a part without area; its neighbors have all that it would have.
+  // A part that rounding leaves without area needs no contacts: its neighbors have them.
   if (!this->PlaceOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
   {
     const Piercer piercer(corners);
@@ -175,7 +176,7 @@ void PiercedMesh::Forget(int part)
     [&](const Cell& cell) { return cell->info().Remove(part); });
 }
 
-/** Between the parts that go and those that come `meanwhile` happens. */
+/** Removes parts, calls `meanwhile`, and adds parts. */
 void PiercedMesh::Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile)
 {
   for (const int part : change.Gone)
@@ -202,7 +203,7 @@ bool PiercedMesh::PutOnEdge(int a, int b, const Point& p)
     [&](int vertex) { return this->Parts.SplitEdge(a, b, vertex); });
 }
 
-bool PiercedMesh::PutAside(const Point& p, const Cell& near)
+bool PiercedMesh::PutOff(const Point& p, const Cell& near)
 {
   return this->Put(p, near, false, [](int) { return Subdivision::Change(); });
 }
@@ -237,7 +238,10 @@ bool PiercedMesh::Put(const Point& p, const Cell& near, bool outsideToo,
   return true;
 }
 
-/** Inserts a point into the tetrahedralization. What met the old tetrahedra there may meet the new ones. */
+/**
+ * Inserts a point into the tetrahedralization. Parts that met removed tetrahedra may meet the new
+ * ones.
+ */
 void PiercedMesh::Insert(int vertex, const Cell& start)
 {
   const Inexact::Point_3 p = ToInexact(this->Parts.GetPoints()[vertex]);
@@ -270,3 +274,5 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
     }
   }
 }
+
+} // namespace carving::helper

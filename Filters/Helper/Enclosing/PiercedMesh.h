@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * A Delaunay tetrahedralization that knows which parts of M pierce its tetrahedra or lie on their faces.
+ * A Delaunay tetrahedralization, and the parts of M that pierce its tetrahedra or lie on their
+ * faces.
  */
 #ifndef carving_PiercedMesh_h
 #define carving_PiercedMesh_h
@@ -17,13 +18,17 @@
 #include <functional>
 #include <vector>
 
+namespace carving::helper
+{
+
+/** Parts and tetrahedra change together: every tetrahedron knows its contacts at any time. */
 class PiercedMesh
 {
 public:
   struct VertexInfo
   {
     int Index = -1;
-    unsigned LastWalk = 0; ///< that came by
+    unsigned LastWalk = 0; ///< the last walk that visited the vertex
   };
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Inexact>;
   using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellContacts, Inexact,
@@ -33,19 +38,25 @@ public:
   using Cell = Delaunay::Cell_handle;
   using Vertex = Delaunay::Vertex_handle;
 
-  /** Of the points of `input`, which may cross itself, and `further` ones; not all in one plane. */
-  PiercedMesh(const carving::ResolvedMesh& input, const std::vector<carving::Point>& further,
+  /**
+   * From the points of `input`, which may cross itself, and `further` points; not all in one plane.
+   */
+  PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
     const std::function<bool(double)>& progress);
 
   /**
-   * Put a point at p, on a part, on an edge of parts, or on none but within the hull, best near a cell;
-   * false: there is a vertex already, or it is outside.
+   * Insert a point at p, on a part, on an edge of parts, or off all parts, where the point must be
+   * within the hull and the search for it starts from the cell `near`. Return false, and insert
+   * nothing, if there already is a vertex or if the point is outside.
    */
-  bool PutOnPart(int part, const carving::Point& p);
-  bool PutOnEdge(int a, int b, const carving::Point& p);
-  bool PutAside(const carving::Point& p, const Cell& near);
+  bool PutOnPart(int part, const Point& p);
+  bool PutOnEdge(int a, int b, const Point& p);
+  bool PutOff(const Point& p, const Cell& near);
 
-  /** Lets a part that crosses tetrahedra by a rounding take their faces; returns whether it could. */
+  /**
+   * Replaces a part and a neighbor that pierce tetrahedra because of rounding only by two parts
+   * that are faces. Returns whether that is possible.
+   */
   bool TakeFaces(int part);
 
   const Delaunay& GetDelaunay() const
@@ -56,14 +67,10 @@ public:
   {
     return this->Parts;
   }
-  Vertex GetVertex(int i) const
-  {
-    return this->Vertices[i];
-  }
   Corners3 CornersOf(int part) const;
 
 private:
-  bool Put(const carving::Point& p, const Cell& near, bool outsideToo,
+  bool Put(const Point& p, const Cell& near, bool outsideToo,
     const std::function<Subdivision::Change(int)>& split);
   void Insert(int vertex, const Cell& start);
   bool Meet(int part, const Piercer& piercer, const Cell& cell);
@@ -80,15 +87,17 @@ private:
   Delaunay Mesh;
   std::vector<Vertex> Vertices;
   unsigned NumberOfWalks = 0;
-  std::vector<Cell> Star, Stack; ///< of the last walk, for their memory
+  std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
 
-/** The corners of face f of a cell, counter-clockwise as seen from outside. */
+/** The corners of face f of a cell, counter-clockwise when seen from outside the cell. */
 Corners3 FaceOf(const PiercedMesh::Cell& cell, int f);
 
-inline carving::Point ToPoint(const Inexact::Point_3& p)
+inline Point ToPoint(const Inexact::Point_3& p)
 {
   return { p[0], p[1], p[2] };
 }
+
+} // namespace carving::helper
 
 #endif

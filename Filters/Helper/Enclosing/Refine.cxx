@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -27,7 +27,7 @@ Point CornerOf(const Cell& cell, int i)
   return ToPoint(cell->vertex(i)->point());
 }
 
-/** No point of a pierced cell is farther from M. */
+/** A bound on the distance from M of any point of a pierced cell. */
 double LongestEdge(const Cell& cell)
 {
   double longest = 0.0;
@@ -41,14 +41,24 @@ double LongestEdge(const Cell& cell)
   return longest;
 }
 
-/** Whether a face of a pierced cell bounds all that is pierced. */
-bool Shows(const PiercedMesh& mesh, const Cell& cell, int f)
+double DistanceToCorners(const Cell& cell, const Point& p)
+{
+  double nearest = HUGE_VAL;
+  for (int i = 0; i < 4; ++i)
+  {
+    nearest = std::min(nearest, Length(p - CornerOf(cell, i)));
+  }
+  return nearest;
+}
+
+/** Whether a face of a pierced cell bounds the union of all pierced cells. */
+bool IsExposed(const PiercedMesh& mesh, const Cell& cell, int f)
 {
   const Cell other = cell->neighbor(f);
   return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
 }
 
-/** The part of a triangle within a cell, or nearly so: a convex polygon. */
+/** The intersection of a triangle with a cell, a convex polygon, except for rounding. */
 std::vector<Point> Clip(const Corners& triangle, const Cell& cell)
 {
   constexpr double Slack = 1e-9;
@@ -78,6 +88,7 @@ std::vector<Point> Clip(const Corners& triangle, const Cell& cell)
   return polygon;
 }
 
+/** Adds points to a mesh where pierced cells reach too far. */
 class Refiner
 {
 public:
@@ -89,22 +100,30 @@ public:
   {
   }
 
-  /** The corners of the cells that reach too far. */
+  /** The corners of the pierced cells that reach too far from M. */
   std::vector<std::array<PiercedMesh::Vertex, 4>> FindFar() const;
 
-  /** Takes a step towards a cell that is not pierced or not as large; returns whether there was one. */
+  /** Makes a cell less pierced or smaller; returns whether the mesh has changed. */
   bool Improve(const Cell& cell);
 
 private:
-  Point SomewhereIn(const std::vector<Point>& polygon);
+  /** A number from 0 to 1. */
+  double Draw()
+  {
+    return this->Random() / static_cast<double>(std::mt19937::max());
+  }
+  Point DrawPoint(const std::vector<Point>& polygon);
+  int FindEdgeToSplit(int part, const Point& p) const;
   bool PutOnPart(int part, const Point& p);
-  bool PutAside(const Cell& cell);
+  bool PutOff(const Cell& cell);
 
   PiercedMesh& Mesh;
   const SurfaceDistance& Distance;
   double Tolerance;
-  double Spacing; ///< between points on M
-  /** Points are drawn: regular ones lie on common circles, for which all diagonals are alike. */
+  double Spacing; ///< the least distance between points on M
+  /**
+   * Points are drawn at random, since regular points are cocircular and make every diagonal a tie.
+   */
   std::mt19937 Random;
 };
 
@@ -120,7 +139,7 @@ std::vector<std::array<PiercedMesh::Vertex, 4>> Refiner::FindFar() const
     }
     for (int f = 0; f < 4; ++f)
     {
-      if (info.Near[f] || !Shows(this->Mesh, cell, f))
+      if (info.Near[f] || !IsExposed(this->Mesh, cell, f))
       {
         continue;
       }
@@ -136,13 +155,13 @@ std::vector<std::array<PiercedMesh::Vertex, 4>> Refiner::FindFar() const
   return far;
 }
 
-Point Refiner::SomewhereIn(const std::vector<Point>& polygon)
+Point Refiner::DrawPoint(const std::vector<Point>& polygon)
 {
   Point sum = {};
   double total = 0.0;
   for (const Point& p : polygon)
   {
-    const double weight = 1.0 + 0.5 * (this->Random() / static_cast<double>(std::mt19937::max()));
+    const double weight = 1.0 + 0.5 * this->Draw();
     total += weight;
     for (int i = 0; i < 3; ++i)
     {
@@ -158,43 +177,39 @@ bool Refiner::Improve(const Cell& cell)
   int best = -1;
   Point place;
   const std::vector<PartContact> contacts = cell->info().All;
-  for (const PartContact& contact : contacts)
+  for (const auto& [part, contact] : contacts)
   {
-    if (!contact.How.Pierces)
+    if (!contact.Pierces)
     {
       continue;
     }
-    if (this->Mesh.TakeFaces(contact.Part))
+    if (this->Mesh.TakeFaces(part))
     {
       return true;
     }
-    const std::vector<Point> polygon = Clip(this->Mesh.GetParts().GetCorners(contact.Part), cell);
+    const std::vector<Point> polygon = Clip(this->Mesh.GetParts().GetCorners(part), cell);
     if (polygon.empty())
     {
       continue;
     }
-    const Point p = this->SomewhereIn(polygon);
-    double nearest = HUGE_VAL;
-    for (int i = 0; i < 4; ++i)
-    {
-      nearest = std::min(nearest, Length(p - CornerOf(cell, i)));
-    }
+    const Point p = this->DrawPoint(polygon);
+    const double nearest = DistanceToCorners(cell, p);
     if (nearest > farthest)
     {
       farthest = nearest;
-      best = contact.Part;
+      best = part;
       place = p;
     }
   }
-  return (best >= 0 && this->PutOnPart(best, place)) || this->PutAside(cell);
+  return (best >= 0 && this->PutOnPart(best, place)) || this->PutOff(cell);
 }
 
-bool Refiner::PutOnPart(int part, const Point& p)
+/** The edge, by its opposite corner, that is to be split instead of the part; -1: none. */
+int Refiner::FindEdgeToSplit(int part, const Point& p) const
 {
-  const Triangle corners = this->Mesh.GetParts().GetParts()[part].Corners;
   const Corners t = this->Mesh.GetParts().GetCorners(part);
   const Point normal = Cross(t[1] - t[0], t[2] - t[0]);
-  // An edge of M that has the point in its diametral sphere is not Delaunay once the point is there.
+  // An edge of M whose diametral sphere contains the point would no longer be Delaunay.
   int edge = -1;
   double longest = 0.0, share[3];
   for (int i = 0; i < 3; ++i)
@@ -208,32 +223,36 @@ bool Refiner::PutOnPart(int part, const Point& p)
       edge = i;
     }
   }
-  constexpr double TooNear = 0.1; // to an edge of the part: it would leave a sliver
+  constexpr double TooNear = 0.1; // to an edge of the part: splitting the part would leave a sliver
   const int nearest = static_cast<int>(std::min_element(share, share + 3) - share);
-  if (edge < 0 && share[nearest] < TooNear)
-  {
-    edge = nearest;
-  }
+  return edge < 0 && share[nearest] < TooNear ? nearest : edge;
+}
+
+bool Refiner::PutOnPart(int part, const Point& p)
+{
+  const int edge = this->FindEdgeToSplit(part, p);
   if (edge < 0)
   {
     return this->Mesh.PutOnPart(part, p);
   }
-  const Point &a = t[(edge + 1) % 3], &b = t[(edge + 2) % 3];
-  if (Length(b - a) < 2.0 * this->Spacing)
-  {
-    return false;
-  }
-  const double t01 = 0.4 + 0.2 * (this->Random() / static_cast<double>(std::mt19937::max()));
-  return this->Mesh.PutOnEdge(corners[(edge + 1) % 3], corners[(edge + 2) % 3], Between(a, b, t01));
+  const Triangle corners = this->Mesh.GetParts().GetParts()[part].Corners;
+  const Corners t = this->Mesh.GetParts().GetCorners(part);
+  const int first = (edge + 1) % 3, second = (edge + 2) % 3;
+  return Length(t[second] - t[first]) >= 2.0 * this->Spacing &&
+    this->Mesh.PutOnEdge(
+      corners[first], corners[second], Between(t[first], t[second], 0.4 + 0.2 * this->Draw()));
 }
 
-/** Where M has points enough and still crosses a cell: at the cell's circumcenter, or within it. */
-bool Refiner::PutAside(const Cell& cell)
+/**
+ * Adds the cell's circumcenter, or else its centroid, for a cell that M pierces although points on
+ * M are dense.
+ */
+bool Refiner::PutOff(const Cell& cell)
 {
   const Point centroid = Between(Between(CornerOf(cell, 0), CornerOf(cell, 1), 0.5),
     Between(CornerOf(cell, 2), CornerOf(cell, 3), 0.5), 0.5);
-  return this->Mesh.PutAside(ToPoint(this->Mesh.GetDelaunay().dual(cell)), cell) ||
-    this->Mesh.PutAside(centroid, cell);
+  return this->Mesh.PutOff(ToPoint(this->Mesh.GetDelaunay().dual(cell)), cell) ||
+    this->Mesh.PutOff(centroid, cell);
 }
 
 } // namespace
@@ -268,7 +287,7 @@ double Reach(const PiercedMesh& mesh, const SurfaceDistance& distance, double ne
   {
     for (int f = 0; f < 4 && cell->info().IsPierced(); ++f)
     {
-      if (Shows(mesh, cell, f) && LongestEdge(cell) > reach)
+      if (IsExposed(mesh, cell, f) && LongestEdge(cell) > reach)
       {
         reach = distance.Farthest(FacePoints(cell, f), std::max(reach, negligible));
       }
@@ -276,3 +295,5 @@ double Reach(const PiercedMesh& mesh, const SurfaceDistance& distance, double ne
   }
   return reach;
 }
+
+} // namespace carving::helper

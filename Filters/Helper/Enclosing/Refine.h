@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * Enclosing more tightly: points are put on M where pierced tetrahedra reach too far from it.
+ * Tightens the enclosure: adds points on M where pierced tetrahedra reach too far from it.
  */
 #ifndef carving_Refine_h
 #define carving_Refine_h
@@ -11,17 +11,23 @@
 
 #include <functional>
 
+namespace carving::helper
+{
+
 /**
- * Adds points until no pierced tetrahedron shows a face that is farther than `tolerance` from M, or
- * `maximumPoints` have been added. They lie on M (up to rounding), or aside of it where M has enough.
+ * Adds points until every exposed face of a pierced tetrahedron is within `tolerance` of M, or
+ * until `maximumPoints` have been added. A face is exposed if the tetrahedron behind it is not
+ * pierced. Points lie on M, except for rounding, or off M where points on M are dense enough.
  */
 void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress);
 
 /**
- * The distance from M to which pierced tetrahedra reach, to 5 %, or `negligible` where it is less; 0 if
- * there are none.
+ * The largest distance of a pierced tetrahedron's point from M, to within 5 %, but at least
+ * `negligible`; 0 if no tetrahedron is pierced.
  */
 double Reach(const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible);
+
+} // namespace carving::helper
 
 #endif

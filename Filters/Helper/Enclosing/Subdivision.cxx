@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -153,7 +153,7 @@ std::array<int, 2> Subdivision::Swap(int part, const Quad& quad, Change& change)
     this->Make({ quad.Apex, quad.Opposite, quad.B }, parent, change) };
 }
 
-/** Swaps the diagonals opposite to a new vertex, and those that come in their place. */
+/** Swaps edges opposite to a new vertex, the apex, until all of them are Delaunay. */
 void Subdivision::Legalize(std::vector<int> parts, int apex, Change& change)
 {
   constexpr double Rounding = 1e-9;
@@ -178,7 +178,7 @@ void Subdivision::Legalize(std::vector<int> parts, int apex, Change& change)
   }
 }
 
-/** Leaves out what has been made and has gone since. */
+/** Drops the parts that were made and removed within one change. */
 void Subdivision::Settle(Change& change) const
 {
   const int first = change.Made.front();
@@ -187,3 +187,5 @@ void Subdivision::Settle(Change& change) const
   drop(change.Gone, [&](int part) { return part >= first; });
   drop(change.Made, [&](int part) { return this->Parts[part].Parent < 0; });
 }
+
+} // namespace carving::helper

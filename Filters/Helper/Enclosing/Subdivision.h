@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * The triangles of M in parts: split where points are put on them, and Delaunay in their planes.
+ * The triangles of M, split into parts where points are added on them. The parts of a triangle are
+ * Delaunay in its plane.
  */
 #ifndef carving_Subdivision_h
 #define carving_Subdivision_h
@@ -12,50 +13,54 @@
 #include <unordered_map>
 #include <vector>
 
+namespace carving::helper
+{
+
 /**
- * A point put on a triangle is rounded off its plane by a little. What counts from then on as M are the
- * parts: triangles through the rounded points, joined in the same vertices and edges as before. Parts of
- * one triangle swap their diagonals until they are Delaunay in its plane, since then they are mostly faces
- * of the Delaunay tetrahedralization of all points too.
+ * A point added on a triangle is off its plane by a rounding. From then on, M consists of the
+ * parts: triangles through the rounded points that share vertices and edges as before. Diagonals
+ * between parts of one triangle are swapped until the parts are Delaunay in its plane, since most
+ * of them are then also faces of the Delaunay tetrahedralization of all points.
  */
 class Subdivision
 {
 public:
   struct Part
   {
-    carving::Triangle Corners; ///< oriented as its triangle
-    int Parent;                ///< the triangle of M; -1 once the part is gone
+    Triangle Corners; ///< oriented as its triangle
+    int Parent;       ///< the triangle of M; -1 after the part has been removed
   };
 
-  /** Parts by their number, which is never given again. */
+  /** Indices of parts. An index is never used again. */
   struct Change
   {
     std::vector<int> Gone;
     std::vector<int> Made;
   };
 
-  /** Every triangle is one part, of the same number. */
-  explicit Subdivision(const carving::ResolvedMesh& input);
+  /** At first, every triangle is one part, with the same index. */
+  explicit Subdivision(const ResolvedMesh& input);
 
-  /** Adds a point that lies on no part yet; returns its number. */
-  int AddPoint(const carving::Point& p);
+  /** Adds a point without splitting a part; returns its index. */
+  int AddPoint(const Point& p);
 
   Change SplitPart(int part, int vertex);
 
-  /** Splits all parts that have the edge. */
+  /** Splits all parts that share an edge. */
   Change SplitEdge(int a, int b, int vertex);
 
   /**
-   * Swaps the diagonal of a part and a neighbor out of the same triangle, where both are as good as
-   * Delaunay and `areFaces` says yes to the two parts that come of it.
+   * Swaps the diagonal between a part and a neighbor of the same triangle if both diagonals are
+   * Delaunay, except for rounding, and `areFaces` returns true for both new parts. Returns whether
+   * it did.
    */
   template <class AreFaces>
   bool SwapTie(int part, const AreFaces& areFaces, Change& change);
 
-  /** Whether the edge opposite to corner i is (a part of) an edge of M, not only of a part. */
+  /** Whether the edge opposite to corner i is (a part of) an edge of M. */
   bool OnEdgeOfInput(int part, int i) const;
 
-  const std::vector<carving::Point>& GetPoints() const
+  const std::vector<Point>& GetPoints() const
   {
     return this->Points;
   }
@@ -63,34 +68,40 @@ public:
   {
     return this->Parts;
   }
-  std::array<carving::Point, 3> GetCorners(int part) const
+  std::array<Point, 3> GetCorners(int part) const
   {
-    const carving::Triangle& c = this->Parts[part].Corners;
+    const Triangle& c = this->Parts[part].Corners;
     return { this->Points[c[0]], this->Points[c[1]], this->Points[c[2]] };
   }
 
 private:
-  /** Two parts as the four corners around their common edge: apex, a, opposite, b. */
+  /**
+   * Two parts of one triangle as the cycle of their corners (Apex, A, Opposite, B); the edge AB is
+   * common.
+   */
   struct Quad
   {
-    int Other = -1; ///< the part across the edge; -1: none of the same triangle
+    int Other = -1; ///< the part with the corner Opposite; -1: there is none
     int Apex, A, Opposite, B;
-    /** The sum of the cotangents of the angles at Apex and Opposite; Delaunay if not negative. */
+    /**
+     * The sum of the cotangents of the angles at Apex and Opposite. The edge AB is Delaunay if it
+     * is not negative.
+     */
     double Cotangents;
     bool Convex;
   };
 
   static std::uint64_t Key(int a, int b);
-  int Make(const carving::Triangle& corners, int parent, Change& change);
+  int Make(const Triangle& corners, int parent, Change& change);
   void Remove(int part, Change& change);
   Quad GetQuad(int part, int i) const;
   std::array<int, 2> Swap(int part, const Quad& quad, Change& change);
   void Legalize(std::vector<int> parts, int apex, Change& change);
   void Settle(Change& change) const;
 
-  std::vector<carving::Point> Points;
+  std::vector<Point> Points;
   std::vector<Part> Parts;
-  std::vector<carving::Point> Normals; ///< of the triangles of M
+  std::vector<Point> Normals; ///< of the triangles of M
   std::unordered_map<std::uint64_t, std::vector<int>> PartsOfEdge;
 };
 
@@ -110,5 +121,7 @@ bool Subdivision::SwapTie(int part, const AreFaces& areFaces, Change& change)
   }
   return false;
 }
+
+} // namespace carving::helper
 
 #endif

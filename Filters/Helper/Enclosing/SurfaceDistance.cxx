@@ -10,8 +10,8 @@
 
 #include <vector>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -67,7 +67,7 @@ struct SurfaceDistance::Tree
 {
   using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 
-  /** Looks for a triangle within a distance of a point: for any one, or for the nearest. */
+  /** Searches for a triangle within a distance of a point: for any triangle, or for the closest. */
   struct Search
   {
     double SquaredDistance;
@@ -103,7 +103,7 @@ struct SurfaceDistance::Tree
 
   Triangles All;
   CGAL::AABB_tree<Traits> Boxes;
-  const Kernel::Triangle_3* Last = nullptr; ///< found last; what is asked next is often near it too
+  const Kernel::Triangle_3* Last = nullptr; ///< found last; often close to the next point, too
 
   bool HasWithin(const Point& point, double distance)
   {
@@ -131,7 +131,10 @@ struct SurfaceDistance::Tree
     return std::sqrt(search.SquaredDistance);
   }
 
-  /** Whether the triangle found last has all of `t` within a distance, which is convex around it. */
+  /**
+   * Whether all of `t` is within a distance of the triangle found last. The points within the
+   * distance are a convex set, so the corners of `t` decide.
+   */
   bool LastHasWithin(const Corners& t, double distance) const
   {
     return std::all_of(t.begin(), t.end(),
@@ -154,8 +157,9 @@ SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
 
 SurfaceDistance::~SurfaceDistance() = default;
 
-// A distance changes by no more than one moves: what it is at the centroid bounds it everywhere. And from
-// one triangle it is nowhere on another more than at the corners of that.
+// The distance from M changes by no more than the distance between two points, so its value at the
+// centroid of a triangle bounds it on the whole triangle. Where the bound is too weak, the triangle
+// is quartered.
 
 bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
 {
@@ -192,7 +196,7 @@ double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
     if (this->Locator->LastHasWithin(t, (1.0 + Accuracy) * farthest) ||
       this->Locator->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
     {
-      continue; // found sooner than what is nearest
+      continue; // cheaper than the search for the closest triangle
     }
     const double distance = this->Locator->Distance(centroid);
     farthest = std::max(farthest, distance);
@@ -204,3 +208,5 @@ double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
   }
   return farthest;
 }
+
+} // namespace carving::helper

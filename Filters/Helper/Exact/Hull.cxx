@@ -10,8 +10,8 @@
 #include <cmath>
 #include <vector>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -52,3 +52,5 @@ bool FillHull(const Tetrahedralization& mesh)
   const double hull = SixHullVolume(points);
   return std::abs(sum - hull) <= 1e-9 * hull + 1e-14 * std::pow(Diagonal(points), 3.0);
 }
+
+} // namespace carving::helper

@@ -4,10 +4,16 @@
 
 #include "Core/Mesh/Mesh.h"
 
+namespace carving::helper
+{
+
 /**
- * Whether the volumes of the tetrahedra add up to that of the convex hull of all points, up to rounding: if
- * not, some are missing or overlap. The hull is computed apart from them.
+ * Whether the volumes of the tetrahedra add up to the volume of the convex hull of all points,
+ * except for rounding. If not, tetrahedra are missing or overlap. The hull is computed
+ * independently of them.
  */
-bool FillHull(const carving::Tetrahedralization& mesh);
+bool FillHull(const Tetrahedralization& mesh);
+
+} // namespace carving::helper
 
 #endif

@@ -1,108 +1,41 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Exact/InitialSurface.h"
 
+#include "Helper/Base/Cleaning.h"
+#include "Helper/Base/GivenInitial.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
-constexpr const char* Prefix = "The initial approximation on port 1 ";
-
-/** Added to `Multiplicities` of what lies on C0: more than the equal triangles that any input has. */
+/**
+ * Marks triangles on C0: added to `Multiplicities`, and larger than the number of equal triangles
+ * in any M.
+ */
 constexpr int OnInitial = 1 << 30;
 
-int CountComponents(const ResolvedMesh& mesh)
+std::map<std::pair<int, int>, int> CountUsesOfEdges(const ResolvedMesh& mesh)
 {
-  std::vector<int> parent(mesh.Points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int v)
-  {
-    while (parent[v] != v)
-    {
-      v = parent[v] = parent[parent[v]];
-    }
-    return v;
-  };
-  int components = static_cast<int>(mesh.Points.size()); // all are used: the mesh is clean
+  std::map<std::pair<int, int>, int> uses;
   for (const Triangle& t : mesh.Facets)
   {
-    for (const int corner : { t[1], t[2] })
+    for (int i = 0; i < 3; ++i)
     {
-      const int a = find(t[0]), b = find(corner);
-      components -= a != b;
-      parent[b] = a;
+      ++uses[std::minmax(t[i], t[(i + 1) % 3])];
     }
   }
-  return components;
+  return uses;
 }
 
-/** The tetrahedra that are joined to the outside by faces that are not C0's. */
-std::vector<char> FindOutside(const Tetrahedralization& mesh)
-{
-  const auto onInitial = [&](int cell, int f)
-  {
-    const int facet = mesh.Constraints[cell][f];
-    return facet >= 0 && mesh.Surface.Multiplicities[facet] >= OnInitial;
-  };
-  std::vector<char> outside(mesh.Cells.size(), 0);
-  std::vector<int> stack;
-  const auto reach = [&](int cell)
-  {
-    if (!outside[cell])
-    {
-      outside[cell] = 1;
-      stack.push_back(cell);
-    }
-  };
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      if (mesh.Neighbors[cell][f] < 0 && !onInitial(cell, f))
-      {
-        reach(cell);
-      }
-    }
-  }
-  while (!stack.empty())
-  {
-    const int cell = stack.back();
-    stack.pop_back();
-    for (int f = 0; f < 4; ++f)
-    {
-      if (mesh.Neighbors[cell][f] >= 0 && !onInitial(cell, f))
-      {
-        reach(mesh.Neighbors[cell][f]);
-      }
-    }
-  }
-  return outside;
-}
-
-/** Keeps the entries whose `newIndex` is not negative. */
-template <class T>
-void Compact(std::vector<T>& values, const std::vector<int>& newIndex)
-{
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < values.size(); ++from)
-  {
-    if (newIndex[from] >= 0)
-    {
-      values[to++] = values[from];
-    }
-  }
-  values.resize(to);
-}
-
+/** The index of each kept entry among the kept entries; -1 for the others. */
 std::vector<int> Number(const std::vector<char>& keep)
 {
   std::vector<int> newIndex(keep.size(), -1);
@@ -114,6 +47,7 @@ std::vector<int> Number(const std::vector<char>& keep)
   return newIndex;
 }
 
+/** Replaces the indices that are not negative. */
 void Renumber(std::vector<std::array<int, 4>>& tuples, const std::vector<int>& newIndex)
 {
   for (std::array<int, 4>& tuple : tuples)
@@ -125,6 +59,36 @@ void Renumber(std::vector<std::array<int, 4>>& tuples, const std::vector<int>& n
   }
 }
 
+/** An error if a facet of M is a face of no tetrahedron within C0, or an empty string. */
+std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector<char>& within)
+{
+  const ResolvedMesh& surface = mesh.Surface;
+  std::vector<char> enclosed(surface.Facets.size(), 0);
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    for (const int facet : mesh.Constraints[cell])
+    {
+      if (within[cell] && facet >= 0)
+      {
+        enclosed[facet] = 1;
+      }
+    }
+  }
+  std::set<int> outside;
+  for (std::size_t facet = 0; facet < surface.Facets.size(); ++facet)
+  {
+    if (surface.Multiplicities[facet] % OnInitial > 0 && !enclosed[facet])
+    {
+      outside.insert(surface.FacetSources[facet]);
+    }
+  }
+  return outside.empty()
+    ? std::string()
+    : InitialPrefix + std::string("does not contain the input: ") + std::to_string(outside.size()) +
+      " of the input's triangles lie outside of it, at least in part, the first of them triangle " +
+      std::to_string(*outside.begin()) + ".";
+}
+
 } // namespace
 
 std::string CheckInitialSurface(const TriangleMesh& initial)
@@ -132,16 +96,9 @@ std::string CheckInitialSurface(const TriangleMesh& initial)
   const ResolvedMesh mesh = Clean(AsResolved(initial));
   if (mesh.Facets.empty())
   {
-    return std::string(Prefix) + "has no triangle with an area.";
+    return std::string(InitialPrefix) + "has no triangle with an area.";
   }
-  std::map<std::pair<int, int>, int> uses;
-  for (const Triangle& t : mesh.Facets)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      ++uses[std::minmax(t[i], t[(i + 1) % 3])];
-    }
-  }
+  const std::map<std::pair<int, int>, int> uses = CountUsesOfEdges(mesh);
   const auto open =
     std::count_if(uses.begin(), uses.end(), [](const auto& edge) { return edge.second != 2; });
   const int components = CountComponents(mesh);
@@ -171,7 +128,7 @@ std::string CheckInitialSurface(const TriangleMesh& initial)
   {
     add("intersects itself (", crossings, " pairs of triangles)");
   }
-  return problems.tellp() > 0 ? Prefix + problems.str() + "." : std::string();
+  return problems.tellp() > 0 ? InitialPrefix + problems.str() + "." : std::string();
 }
 
 void AddInitialSurface(const TriangleMesh& initial, ResolvedMesh& surface)
@@ -191,47 +148,26 @@ void AddInitialSurface(const TriangleMesh& initial, ResolvedMesh& surface)
 std::string RemoveOutsideOfInitial(Tetrahedralization& mesh)
 {
   ResolvedMesh& surface = mesh.Surface;
-  const std::vector<char> outside = FindOutside(mesh);
-  std::vector<char> enclosed(surface.Facets.size(), 0);
-  std::vector<char> keep(mesh.Cells.size());
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  const std::vector<char> within =
+    FindCellsWithin(mesh, [&](int facet) { return surface.Multiplicities[facet] >= OnInitial; });
+  const std::string error = CheckContainsInput(mesh, within);
+  if (!error.empty())
   {
-    keep[cell] = !outside[cell];
-    for (const int facet : mesh.Constraints[cell])
-    {
-      if (keep[cell] && facet >= 0)
-      {
-        enclosed[facet] = 1;
-      }
-    }
+    return error;
   }
-  std::set<int> strays;
-  std::vector<char> ofInput(surface.Facets.size(), 0);
-  for (std::size_t facet = 0; facet < surface.Facets.size(); ++facet)
+  Compact(mesh.Cells, within);
+  Compact(mesh.Neighbors, within);
+  Compact(mesh.Constraints, within);
+  Renumber(mesh.Neighbors, Number(within));
+  std::vector<char> ofInput;
+  for (int& multiplicity : surface.Multiplicities)
   {
-    ofInput[facet] = surface.Multiplicities[facet] % OnInitial > 0;
-    surface.Multiplicities[facet] %= OnInitial;
-    if (ofInput[facet] && !enclosed[facet])
-    {
-      strays.insert(surface.FacetSources[facet]);
-    }
+    multiplicity %= OnInitial;
+    ofInput.push_back(multiplicity > 0);
   }
-  if (!strays.empty())
-  {
-    return Prefix + std::string("does not contain the input: ") + std::to_string(strays.size()) +
-      " of the input's triangles lie outside of it, at least in part, the first of them triangle " +
-      std::to_string(*strays.begin()) + ".";
-  }
-  const std::vector<int> newCells = Number(keep);
-  Compact(mesh.Cells, newCells);
-  Compact(mesh.Neighbors, newCells);
-  Compact(mesh.Constraints, newCells);
-  Renumber(mesh.Neighbors, newCells);
-  const std::vector<int> newFacets = Number(ofInput);
-  Compact(surface.Facets, newFacets);
-  Compact(surface.FacetSources, newFacets);
-  Compact(surface.SignedMultiplicities, newFacets);
-  Compact(surface.Multiplicities, newFacets);
-  Renumber(mesh.Constraints, newFacets);
+  CompactFacets(surface, ofInput);
+  Renumber(mesh.Constraints, Number(ofInput));
   return {};
 }
+
+} // namespace carving::helper

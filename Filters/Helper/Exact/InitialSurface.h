@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * A mesh that the user gives for C0 (section 3.1).
+ * A C0 that the user gives as a mesh (section 3.1).
  */
 #ifndef carving_InitialSurface_h
 #define carving_InitialSurface_h
@@ -10,22 +10,27 @@
 
 #include <string>
 
-/**
- * What keeps a mesh from being an initial approximation, all of it, or an empty string: it must be
- * closed, in one piece, of genus zero and free of self-intersections.
- */
-std::string CheckInitialSurface(const carving::TriangleMesh& initial);
+namespace carving::helper
+{
 
 /**
- * Adds the triangles of C0 to those of M; its points are new. They are marked in `Multiplicities`, and do not
- * count in `SignedMultiplicities`.
+ * Checks that a mesh can be C0: closed, of one component, of genus zero and free of
+ * self-intersections. Returns an empty string, or a message that names every check that fails.
  */
-void AddInitialSurface(const carving::TriangleMesh& initial, carving::ResolvedMesh& surface);
+std::string CheckInitialSurface(const TriangleMesh& initial);
 
 /**
- * Removes the tetrahedra outside of C0 and the triangles that are only C0's. Returns an empty string or,
- * if some of M lies outside, an error.
+ * Adds the triangles of C0, with points of their own, to those of M. They are marked in
+ * `Multiplicities` and are 0 in `SignedMultiplicities`.
  */
-std::string RemoveOutsideOfInitial(carving::Tetrahedralization& mesh);
+void AddInitialSurface(const TriangleMesh& initial, ResolvedMesh& surface);
+
+/**
+ * Removes the tetrahedra outside C0 and the triangles that belong to C0 alone. Returns an empty
+ * string, or an error if a part of M lies outside C0.
+ */
+std::string RemoveOutsideOfInitial(Tetrahedralization& mesh);
+
+} // namespace carving::helper
 
 #endif

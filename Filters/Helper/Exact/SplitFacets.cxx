@@ -3,21 +3,21 @@
 
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Enclosing/Pierce.h"
+#include "Helper/Base/CoplanarTriangles.h"
 
 #include <algorithm>
 #include <cmath>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
 using Corners = FacetCorners<3>;
 
-Corners3 ToInexact(const Corners& t)
+Corners3 AsInexact(const Corners& t)
 {
-  return { ::ToInexact(t[0]), ::ToInexact(t[1]), ::ToInexact(t[2]) };
+  return { ToInexact(t[0]), ToInexact(t[1]), ToInexact(t[2]) };
 }
 
 double Perimeter(const Corners& t)
@@ -25,7 +25,15 @@ double Perimeter(const Corners& t)
   return Length(t[1] - t[0]) + Length(t[2] - t[1]) + Length(t[0] - t[2]);
 }
 
-/** A sliver hardly knows its plane: what is at an edge of it is on it in any case. */
+double TwiceArea(const Corners& t)
+{
+  return Length(Cross(t[1] - t[0], t[2] - t[0]));
+}
+
+/**
+ * Whether a point is on a triangle's plane, except for rounding. The normal of a sliver is
+ * inaccurate, so a point on an edge always is.
+ */
 bool IsOn(const Corners& t, const Point& p, double rounding)
 {
   const Point normal = Cross(t[1] - t[0], t[2] - t[0]);
@@ -37,44 +45,40 @@ bool IsOn(const Corners& t, const Point& p, double rounding)
   return on;
 }
 
-double TwiceArea(const Corners& t)
+/** A bound on the rounding error of distances between the points. */
+double RoundingOf(const std::vector<Point>& points)
 {
-  return Length(Cross(t[1] - t[0], t[2] - t[0]));
+  Point lower, upper;
+  GetBounds(points, lower, upper);
+  return 1e-12 * (Length(lower) + Length(upper) + Length(upper - lower));
 }
 
 } // namespace
 
 std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& surface)
 {
-  Point lower, upper;
-  GetBounds(surface.Points, lower, upper);
-  const double rounding = 1e-12 * (Length(lower) + Length(upper) + Length(upper - lower));
+  const double rounding = RoundingOf(surface.Points);
   ResolvedMesh split;
-  std::vector<double> uncovered, allowed;
+  std::vector<double> uncovered, allowed; // twice an area, one entry per facet
   for (const Triangle& t : surface.Facets)
   {
     const Corners corners = CornersOf<3>(surface.Points, t);
     uncovered.push_back(TwiceArea(corners));
     allowed.push_back(1e-9 * TwiceArea(corners) + rounding * Perimeter(corners));
   }
-  for (const FacetPart& part : parts)
+  for (const auto& [triangle, parent] : parts)
   {
-    const Corners corners = CornersOf<3>(surface.Points, part.Corners),
-                  whole = CornersOf<3>(surface.Points, surface.Facets[part.Parent]);
-    for (const Point& corner : corners)
+    const Corners corners = CornersOf<3>(surface.Points, triangle),
+                  whole = CornersOf<3>(surface.Points, surface.Facets[parent]);
+    if (!std::all_of(corners.begin(), corners.end(),
+          [&](const Point& corner) { return IsOn(whole, corner, rounding); }))
     {
-      if (!IsOn(whole, corner, rounding))
-      {
-        return "the faces for triangle " + std::to_string(part.Parent) + " leave its plane";
-      }
+      return "the faces for triangle " + std::to_string(parent) + " leave its plane";
     }
-    uncovered[part.Parent] -= TwiceArea(corners);
-    allowed[part.Parent] += rounding * Perimeter(corners);
-    split.Facets.push_back(
-      FaceAlike(ToInexact(whole), ToInexact(corners)) ? part.Corners : Flipped<3>(part.Corners));
-    split.FacetSources.push_back(surface.FacetSources[part.Parent]);
-    split.SignedMultiplicities.push_back(surface.SignedMultiplicities[part.Parent]);
-    split.Multiplicities.push_back(surface.Multiplicities[part.Parent]);
+    uncovered[parent] -= TwiceArea(corners);
+    allowed[parent] += rounding * Perimeter(corners);
+    AppendFacet<3>(surface, parent,
+      FaceAlike(AsInexact(whole), AsInexact(corners)) ? triangle : Flipped<3>(triangle), split);
   }
   for (std::size_t i = 0; i < uncovered.size(); ++i)
   {
@@ -88,3 +92,5 @@ std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& su
   surface = std::move(split);
   return {};
 }
+
+} // namespace carving::helper

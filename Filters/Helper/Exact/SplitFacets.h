@@ -7,17 +7,22 @@
 #include <string>
 #include <vector>
 
-/** A face and the facet of the mesh that it is a part of. */
+namespace carving::helper
+{
+
+/** A face that is a part of a facet of the mesh. */
 struct FacetPart
 {
-  carving::Triangle Corners;
-  int Parent;
+  Triangle Corners;
+  int Parent; ///< the facet
 };
 
 /**
- * Puts the parts into which the facets of a mesh have been split in their place. The mesh has all points
- * already. Returns an empty string, or which facet the parts are not all of, up to rounding.
+ * Replaces the facets of a mesh by their parts, whose points the mesh already has. Returns an empty
+ * string, or which facet the parts do not cover exactly once, except for rounding.
  */
-std::string ReplaceByParts(const std::vector<FacetPart>& parts, carving::ResolvedMesh& surface);
+std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& surface);
+
+} // namespace carving::helper
 
 #endif

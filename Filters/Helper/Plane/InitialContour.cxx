@@ -2,17 +2,18 @@
 #include "Helper/Plane/InitialContour.h"
 
 #include "Core/Mesh/Adjacency.h"
-#include "Core/Mesh/DisjointSets.h"
+#include "Helper/Base/Cleaning.h"
+#include "Helper/Base/GivenInitial.h"
 
 #include <algorithm>
 #include <cstdio>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
-const std::string Prefix = "The initial approximation on port 1 ";
+const std::string Prefix = InitialPrefix;
 
 std::string NamePoint(const Point& p)
 {
@@ -21,20 +22,22 @@ std::string NamePoint(const Point& p)
   return text;
 }
 
-/** The number of connected pieces that edges make. */
-int CountPieces(const Contours& contours)
+/** The number of edges at every point. */
+std::vector<int> CountEdges(const Contours& contours)
 {
-  DisjointSets pieces(contours.Points.size());
-  int count = static_cast<int>(contours.Points.size());
+  std::vector<int> degrees(contours.Points.size(), 0);
   for (const auto& [from, to] : contours.Facets)
   {
-    count -= pieces.Find(from) != pieces.Find(to);
-    pieces.Unite(from, to);
+    ++degrees[from];
+    ++degrees[to];
   }
-  return count;
+  return degrees;
 }
 
-/** The first of the checks of one simple polygon that fails. */
+/**
+ * A message about the first reason why edges are not the boundary of one simple polygon, or an
+ * empty string.
+ */
 std::string CheckSimple(const Contours& given)
 {
   Contours contours = Clean(given);
@@ -42,24 +45,18 @@ std::string CheckSimple(const Contours& given)
   {
     return Prefix + "has no edge of any length.";
   }
-  int meetings = 0;
-  const std::string error = Resolve(contours, meetings, {});
+  int splitPoints = 0;
+  const std::string error = Resolve(contours, splitPoints, {});
   if (!error.empty())
   {
     return Prefix + "is too intricate for double precision.";
   }
-  std::vector<int> degrees(contours.Points.size(), 0);
-  for (const auto& [from, to] : contours.Facets)
+  const std::vector<int> degrees = CountEdges(contours);
+  const auto end = std::find(degrees.begin(), degrees.end(), 1);
+  if (end != degrees.end())
   {
-    ++degrees[from];
-    ++degrees[to];
-  }
-  for (std::size_t i = 0; i < degrees.size(); ++i)
-  {
-    if (degrees[i] == 1)
-    {
-      return Prefix + "is not closed: it ends at " + NamePoint(contours.Points[i]) + ".";
-    }
+    return Prefix + "is not closed: it ends at " +
+      NamePoint(contours.Points[end - degrees.begin()]) + ".";
   }
   const auto branch =
     std::find_if(degrees.begin(), degrees.end(), [](int degree) { return degree > 2; });
@@ -68,76 +65,20 @@ std::string CheckSimple(const Contours& given)
     return Prefix + "crosses or touches itself at " +
       NamePoint(contours.Points[branch - degrees.begin()]) + ".";
   }
-  if (meetings > 0)
+  if (splitPoints > 0)
   {
     return Prefix + "runs over itself.";
   }
-  const int pieces = CountPieces(contours);
-  return pieces == 1 ? std::string()
-                     : Prefix + "is in " + std::to_string(pieces) + " pieces; it must be one.";
+  const int components = CountComponents<2>(contours);
+  return components == 1
+    ? std::string()
+    : Prefix + "is in " + std::to_string(components) + " pieces; it must be one.";
 }
 
-/** Removes the cells that a path joins to the outside without crossing the boundary of C0. */
-void RemoveOutside(const std::vector<char>& initial, Decomposition<2>& mesh)
+/** A message about the first edge of M that is not within C0, or an empty string. */
+std::string CheckContainsInput(const ContourSet& given, const Decomposition<2>& mesh)
 {
-  std::vector<char> outside(mesh.Cells.size(), 0);
-  std::vector<int> stack;
-  const auto visit = [&](int from, int f, int cell)
-  {
-    const int facet = mesh.Constraints[from][f];
-    if (!outside[cell] && (facet < 0 || !initial[facet]))
-    {
-      outside[cell] = 1;
-      stack.push_back(cell);
-    }
-  };
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    for (int f = 0; f < 3; ++f)
-    {
-      if (mesh.Neighbors[cell][f] == Outside)
-      {
-        visit(cell, f, cell);
-      }
-    }
-  }
-  while (!stack.empty())
-  {
-    const int cell = stack.back();
-    stack.pop_back();
-    for (int f = 0; f < 3; ++f)
-    {
-      if (mesh.Neighbors[cell][f] >= 0)
-      {
-        visit(cell, f, mesh.Neighbors[cell][f]);
-      }
-    }
-  }
-  std::vector<std::array<int, 3>> kept;
-  for (std::size_t cell = 0; cell < outside.size(); ++cell)
-  {
-    if (!outside[cell])
-    {
-      kept.push_back(mesh.Cells[cell]);
-    }
-  }
-  mesh.Cells = std::move(kept);
-  FindAdjacency(mesh);
-}
-
-/** Drops the edges that are of C0 only and finds the first edge of M that is not within C0. */
-std::string KeepInput(const ContourSet& given, Decomposition<2>& mesh)
-{
-  ResolvedInput<2>& surface = mesh.Surface;
-  const std::size_t count =
-    std::find(surface.Multiplicities.begin(), surface.Multiplicities.end(), 0) -
-    surface.Multiplicities.begin();
-  surface.Facets.resize(count);
-  surface.FacetSources.resize(count);
-  surface.SignedMultiplicities.resize(count);
-  surface.Multiplicities.resize(count);
-  FindAdjacency(mesh);
-  std::vector<char> within(count, 0);
+  std::vector<char> within(mesh.Surface.Facets.size(), 0);
   for (const auto& facets : mesh.Constraints)
   {
     for (const int facet : facets)
@@ -148,12 +89,12 @@ std::string KeepInput(const ContourSet& given, Decomposition<2>& mesh)
       }
     }
   }
-  const auto out = std::find(within.begin(), within.end(), 0);
-  if (out == within.end())
+  const auto outside = std::find(within.begin(), within.end(), 0);
+  if (outside == within.end())
   {
     return {};
   }
-  const auto& [from, to] = given.Edges[surface.FacetSources[out - within.begin()]];
+  const auto& [from, to] = given.Edges[mesh.Surface.FacetSources[outside - within.begin()]];
   return Prefix + "does not contain the input: the edge from point " + std::to_string(from) +
     " to point " + std::to_string(to) + " is not within it.";
 }
@@ -170,13 +111,23 @@ std::string InsertInitialContour(const ContourSet& initial, Contours& contours)
   }
   Append(boundary, contours);
   contours = Clean(contours);
-  int meetings = 0; // where the input touches C0, which it may
-  return Resolve(contours, meetings, {});
+  int splitPoints = 0; // where M touches C0, which is allowed
+  return Resolve(contours, splitPoints, {});
 }
 
 std::string RemoveOutsideOfInitial(
   const ContourSet& given, const std::vector<char>& initial, Decomposition<2>& mesh)
 {
-  RemoveOutside(initial, mesh);
-  return KeepInput(given, mesh);
+  Compact(mesh.Cells, FindCellsWithin(mesh, [&](int facet) { return initial[facet] != 0; }));
+  ResolvedInput<2>& surface = mesh.Surface;
+  std::vector<char> ofInput;
+  for (const int multiplicity : surface.Multiplicities)
+  {
+    ofInput.push_back(multiplicity > 0);
+  }
+  CompactFacets(surface, ofInput);
+  FindAdjacency(mesh);
+  return CheckContainsInput(given, mesh);
 }
+
+} // namespace carving::helper

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Plane/ResolveContours.h"
 
-#include "Helper/Base/Kernels.h"
-
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
+#include "Helper/Base/Cleaning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,38 +9,13 @@
 #include <numeric>
 #include <utility>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
 using Vertex = PlaneTriangulation::Vertex_handle;
 using Edge = std::array<int, 2>;
-
-bool Equal(const Point& a, const Point& b)
-{
-  return a[0] == b[0] && a[1] == b[1];
-}
-
-/** For every point the first one at the same place. */
-std::vector<int> FirstEqualPoints(const std::vector<Point>& points)
-{
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](int a, int b)
-    {
-      const Point &p = points[a], &q = points[b];
-      return p[0] != q[0] ? p[0] < q[0] : p[1] != q[1] ? p[1] < q[1] : a < b;
-    });
-  std::vector<int> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool equal = i > 0 && Equal(points[order[i]], points[order[i - 1]]);
-    first[order[i]] = equal ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 void AppendEdge(const Contours& from, std::size_t i, const Edge& ends, Contours& to)
 {
@@ -52,13 +23,14 @@ void AppendEdge(const Contours& from, std::size_t i, const Edge& ends, Contours&
   to.Initial.push_back(from.Initial[i]);
 }
 
-/** Merges an edge of one set into an edge with the same ends of another. */
+/** Merges edge i of `from` into the edge `into` of `to`, which has the same ends. */
 void MergeEdge(
   const Contours& from, std::size_t i, const Edge& ends, Contours& to, std::size_t into)
 {
   const int sign = SameDirection<2>(ends, to.Facets[into]) ? 1 : -1;
-  if (to.Multiplicities[into] == 0) // so far only of C0: the first edge of M decides
+  if (to.Multiplicities[into] == 0)
   {
+    // An edge of C0 only gets its direction and source from the first edge of M.
     to.Facets[into] = ends;
     to.FacetSources[into] = from.FacetSources[i];
     to.SignedMultiplicities[into] = from.SignedMultiplicities[i];
@@ -71,7 +43,7 @@ void MergeEdge(
   to.Initial[into] = to.Initial[into] || from.Initial[i];
 }
 
-/** The third coordinate at a place on an edge. */
+/** The third coordinate of a point on an edge. */
 double Interpolate(const Point& a, const Point& b, const Point& place)
 {
   const int axis = std::abs(b[0] - a[0]) > std::abs(b[1] - a[1]) ? 0 : 1;
@@ -79,7 +51,7 @@ double Interpolate(const Point& a, const Point& b, const Point& place)
   return a[2] == b[2] ? a[2] : (1.0 - t) * a[2] + t * b[2];
 }
 
-/** Whether a few roundings can lead from one place to the other. */
+/** Whether two points may differ by a few roundings only. */
 bool AreNear(const Point& a, const Point& b)
 {
   constexpr double share = 1e-14;
@@ -87,7 +59,10 @@ bool AreNear(const Point& a, const Point& b)
   return distance <= share * std::max(std::abs(a[0]), std::abs(a[1]));
 }
 
-/** The new point that a vertex on an edge is; with `snap` an old one next to it, if that is near. */
+/**
+ * Returns the index of a point at a vertex on an edge: of a new point or, with `snap`, of a
+ * neighbor that is near.
+ */
 int AddPoint(const Contours& contours, std::size_t edge, const PlaneTriangulation& triangulation,
   Vertex vertex, bool snap, Contours& result)
 {
@@ -111,7 +86,7 @@ int AddPoint(const Contours& contours, std::size_t edge, const PlaneTriangulatio
   return static_cast<int>(result.Points.size()) - 1;
 }
 
-/** One round: the edges in pieces. Returns the number of places at which any had to be split. */
+/** Makes one round of splitting. Returns the number of points at which edges are split. */
 int Split(const Contours& contours, bool snap, Contours& result, const Progress& progress)
 {
   PlaneTriangulation triangulation;
@@ -125,7 +100,7 @@ int Split(const Contours& contours, bool snap, Contours& result, const Progress&
   }
   result.Points = contours.Points;
   result.PointSources = contours.PointSources;
-  std::vector<int> meetings;
+  std::vector<int> splitPoints;
   for (std::size_t i = 0; i < constraints.size(); ++i)
   {
     const auto end = triangulation.vertices_in_constraint_end(constraints[i]);
@@ -142,41 +117,18 @@ int Split(const Contours& contours, bool snap, Contours& result, const Progress&
     {
       std::reverse(chain.begin(), chain.end());
     }
-    meetings.insert(meetings.end(), chain.begin() + 1, chain.end() - 1);
+    splitPoints.insert(splitPoints.end(), chain.begin() + 1, chain.end() - 1);
     for (std::size_t k = 1; k < chain.size(); ++k)
     {
       AppendEdge(contours, i, { chain[k - 1], chain[k] }, result);
     }
   }
-  std::sort(meetings.begin(), meetings.end());
-  return static_cast<int>(std::unique(meetings.begin(), meetings.end()) - meetings.begin());
+  std::sort(splitPoints.begin(), splitPoints.end());
+  return static_cast<int>(
+    std::unique(splitPoints.begin(), splitPoints.end()) - splitPoints.begin());
 }
 
 } // namespace
-
-std::vector<Vertex> InsertInOrder(
-  const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation)
-{
-  std::vector<Inexact::Point_2> rounded;
-  rounded.reserve(places.size());
-  for (const auto& place : places)
-  {
-    rounded.emplace_back(CGAL::to_double(place.x()), CGAL::to_double(place.y()));
-  }
-  std::vector<std::size_t> order(places.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  using Map = CGAL::Pointer_property_map<Inexact::Point_2>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-    CGAL::Spatial_sort_traits_adapter_2<Inexact, Map>(CGAL::make_property_map(rounded)));
-  std::vector<Vertex> vertices(places.size());
-  PlaneTriangulation::Face_handle hint;
-  for (const std::size_t i : order)
-  {
-    vertices[i] = triangulation.insert(places[i], hint);
-    hint = vertices[i]->face();
-  }
-  return vertices;
-}
 
 std::vector<Vertex> InsertPoints(
   const std::vector<Point>& points, PlaneTriangulation& triangulation)
@@ -228,17 +180,15 @@ void Append(const Contours& other, Contours& contours)
 Contours Clean(const Contours& contours)
 {
   Contours result;
-  std::vector<int> newIndex = FirstEqualPoints(contours.Points);
-  std::vector<char> used(contours.Points.size(), 0);
+  const std::vector<int> first = FirstEqualPoints<2>(contours.Points);
   std::map<std::pair<int, int>, std::size_t> edges;
   for (std::size_t i = 0; i < contours.Facets.size(); ++i)
   {
-    const Edge ends = { newIndex[contours.Facets[i][0]], newIndex[contours.Facets[i][1]] };
+    const Edge ends = { first[contours.Facets[i][0]], first[contours.Facets[i][1]] };
     if (ends[0] == ends[1])
     {
       continue;
     }
-    used[ends[0]] = used[ends[1]] = 1;
     const auto [found, isNew] = edges.try_emplace(std::minmax(ends[0], ends[1]), edges.size());
     if (isNew)
     {
@@ -249,34 +199,23 @@ Contours Clean(const Contours& contours)
       MergeEdge(contours, i, ends, result, found->second);
     }
   }
-  for (std::size_t i = 0; i < contours.Points.size(); ++i)
-  {
-    if (used[i])
-    {
-      newIndex[i] = static_cast<int>(result.Points.size());
-      result.Points.push_back(contours.Points[i]);
-      result.PointSources.push_back(contours.PointSources[i]);
-    }
-  }
-  for (Edge& edge : result.Facets)
-  {
-    edge = { newIndex[edge[0]], newIndex[edge[1]] };
-  }
+  TakeUsedPoints<2>(contours, result);
   return result;
 }
 
-std::string Resolve(Contours& contours, int& meetings, const Progress& progress)
+std::string Resolve(Contours& contours, int& splitPoints, const Progress& progress)
 {
-  // Nearly all contours are clean after one round; the limit ends those that rounding keeps dirty.
+  // One round suffices for nearly all contours. The limit ends cases in which rounding creates ever
+  // more intersections.
   constexpr int maximumRounds = 10;
-  // Edges that nearly coincide meet anew next to every point that is rounded, without end: then
-  // points that only rounding has moved apart become one.
+  // Edges that nearly coincide intersect again next to every rounded point, without end. After
+  // these rounds, points that differ by roundings only become one.
   constexpr int exactRounds = 3;
   for (int round = 0; round <= maximumRounds; ++round)
   {
     Contours pieces;
     const int found = Split(contours, round >= exactRounds, pieces, progress);
-    meetings = round == 0 ? found : meetings;
+    splitPoints = round == 0 ? found : splitPoints;
     if (found == 0)
     {
       return {};
@@ -287,3 +226,5 @@ std::string Resolve(Contours& contours, int& meetings, const Progress& progress)
     " rounds of splitting, edges still cross each other: the contours are too intricate for double "
     "precision.";
 }
+
+} // namespace carving::helper

@@ -1,68 +1,60 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Cleaning and resolving in the plane.
+ */
 #ifndef carving_ResolveContours_h
 #define carving_ResolveContours_h
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Progress.h"
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_plus_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "Helper/Base/PlaneTriangulation.h"
 
 #include <string>
 #include <vector>
 
+namespace carving::helper
+{
+
 /**
- * Edges in the plane of the first two coordinates, from which points get their identity; the third
- * goes with them. `Initial` has per edge whether the boundary of C0 runs along it; one that is no
- * edge of M has a count of 0.
+ * Edges in the plane of the first two coordinates. Points with the same first two coordinates are
+ * equal. `Initial` has one entry per edge: whether the boundary of C0 runs along it. An edge of C0
+ * that is no edge of M has the multiplicity 0.
  */
-struct Contours : carving::ResolvedInput<2>
+struct Contours : ResolvedInput<2>
 {
   std::vector<char> Initial;
 };
 
-/** Of vertices that come from Contours the number of their point, else -1. */
-struct PointIndex
-{
-  int Value = -1;
-};
-using PlaneKernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using PlaneTriangulation =
-  CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<PlaneKernel,
-    CGAL::Triangulation_data_structure_2<
-      CGAL::Triangulation_vertex_base_with_info_2<PointIndex, PlaneKernel>,
-      CGAL::Constrained_triangulation_face_base_2<PlaneKernel>>,
-    CGAL::Exact_intersections_tag>>;
-
-/** Inserts points, neighbors one after the other so that each is found from the one before it. */
-std::vector<PlaneTriangulation::Vertex_handle> InsertInOrder(
-  const std::vector<PlaneKernel::Point_2>& places, PlaneTriangulation& triangulation);
-
-/** Inserts points, no two of them equal, with their numbers. */
+/**
+ * Inserts points, no two of which are equal, with their indices. Returns the vertex of each point.
+ */
 std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
-  const std::vector<carving::Point>& points, PlaneTriangulation& triangulation);
+  const std::vector<Point>& points, PlaneTriangulation& triangulation);
 
-/** The given edges: those of M, or the boundary of C0, all of whose points are new. */
-Contours AsContours(const carving::ContourSet& given, bool initial);
+/** The given edges of M, or, with `initial`, of the boundary of C0, whose points have no source. */
+Contours AsContours(const ContourSet& given, bool initial);
 
-/** Puts the edges of another set after those of the first. */
+/** Appends the edges of another set. */
 void Append(const Contours& other, Contours& contours);
 
 /**
- * Merges equal points (the first one's source stays), drops edges without length and points that no
- * edge uses, and merges equal edges into the first of them. Points and edges keep their order.
+ * Merges equal points into the first of them, merges equal edges into the first of them, and drops
+ * edges without length and points that no edge uses. Points and edges keep their order.
  */
 Contours Clean(const Contours& contours);
 
 /**
- * Splits edges where they meet until they do so in common ends only. Points of intersection are
- * exact, then rounded to double; since rounding can make new ones, it looks again until there is none.
+ * Splits edges where they intersect until any two meet only in common ends. Points of intersection
+ * are exact, then rounded to doubles. Since rounding can create new intersections, rounds of
+ * splitting follow until none is left.
  *
- * `contours` has been cleaned and stays so. `meetings` is the number of points inside given edges at
- * which others meet them. Returns an empty string or why the end was not reached.
+ * `contours` has been cleaned and stays clean. `splitPoints` is set to the number of points in the
+ * interior of given edges at which other edges meet them. Returns an empty string, or why
+ * intersections are left.
  */
-std::string Resolve(Contours& contours, int& meetings, const carving::Progress& progress);
+std::string Resolve(Contours& contours, int& splitPoints, const Progress& progress);
+
+} // namespace carving::helper
 
 #endif

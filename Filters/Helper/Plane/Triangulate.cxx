@@ -3,13 +3,14 @@
 
 #include "Core/Mesh/Adjacency.h"
 #include "Core/Mesh/Vector.h"
+#include "Helper/Base/GrownBox.h"
 #include "Helper/Plane/InitialContour.h"
 
 #include <algorithm>
 #include <cmath>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -18,7 +19,10 @@ Point Flat(const Point& p)
   return { p[0], p[1], 0.0 };
 }
 
-/** The third coordinate as a linear function of the others, by three points far from each other. */
+/**
+ * The third coordinate as a linear function of the others, through three points far from each
+ * other.
+ */
 class Height
 {
 public:
@@ -35,7 +39,7 @@ public:
       this->Slope = { (along[2] * across[1] - across[2] * along[1]) / area,
         (across[2] * along[0] - along[2] * across[0]) / area };
     }
-    else if (squared > 0.0) // on a line: level across it
+    else if (squared > 0.0) // all points are on a line: level across it
     {
       this->Slope = { along[2] * along[0] / squared, along[2] * along[1] / squared };
     }
@@ -48,7 +52,7 @@ public:
   }
 
 private:
-  /** From the origin to the point for which a measure of that vector is the greatest. */
+  /** The vector from the origin to the point for which a measure of that vector is the largest. */
   template <class Measure>
   Point FarthestBy(const std::vector<Point>& points, const Measure& measure) const
   {
@@ -80,7 +84,7 @@ std::vector<Point> GrownRectangle(const std::vector<Point>& points)
   return corners;
 }
 
-/** Puts the points of M before all others, and its edges before those that are of C0 only. */
+/** Puts the points of M before all others, and the edges of M before those of C0 alone. */
 Decomposition<2> SortPoints(const Contours& contours, std::vector<char>& initial)
 {
   Decomposition<2> result;
@@ -122,7 +126,7 @@ Decomposition<2> SortPoints(const Contours& contours, std::vector<char>& initial
   return result;
 }
 
-/** Fills the cells. Returns false if all points lie on one line. */
+/** Fills `mesh.Cells` and their adjacency. Returns false if all points lie on one line. */
 bool MakeCells(Decomposition<2>& mesh)
 {
   PlaneTriangulation triangulation;
@@ -173,3 +177,5 @@ std::string Triangulate(const Contours& contours, InitialApproximation initial,
   return initial == InitialApproximation::Custom ? RemoveOutsideOfInitial(given, ofInitial, result)
                                                  : std::string();
 }
+
+} // namespace carving::helper

@@ -7,12 +7,17 @@
 
 #include <string>
 
+namespace carving::helper
+{
+
 /**
- * The triangles of C0, constrained by the edges of M: the convex hull of all points, a rectangle
- * around them, or the inside of the edges of C0 that InsertInitialContour inserted. Returns an
- * empty string or why there are none: no edge, no area, or an edge of `given` outside of C0.
+ * The constrained Delaunay triangulation of C0: the convex hull of all points, a rectangle around
+ * them, or the interior of the edges that InsertInitialContour has inserted. Returns an empty
+ * string, or an error: there is no edge or no area, or an edge of `given` lies outside C0.
  */
-std::string Triangulate(const Contours& contours, carving::InitialApproximation initial,
-  const carving::ContourSet& given, carving::Decomposition<2>& result);
+std::string Triangulate(const Contours& contours, InitialApproximation initial,
+  const ContourSet& given, Decomposition<2>& result);
+
+} // namespace carving::helper
 
 #endif

@@ -1,31 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/Clean.h"
 
+#include "Helper/Base/Cleaning.h"
 #include "Helper/Base/Kernels.h"
 
 #include <algorithm>
 #include <numeric>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
-
-/** For every point the first one with equal coordinates. */
-std::vector<int> FirstEqualPoints(const std::vector<Point>& points)
-{
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&](int a, int b) { return points[a] != points[b] ? points[a] < points[b] : a < b; });
-  std::vector<int> first(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool equal = i > 0 && points[order[i]] == points[order[i - 1]];
-    first[order[i]] = equal ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
 {
@@ -33,7 +18,7 @@ bool IsDegenerate(const std::vector<Point>& points, const Triangle& t)
     CGAL::collinear(ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]));
 }
 
-/** The corners in ascending order; `sign` is the parity of the permutation that sorts them. */
+/** The corners in ascending order; `sign` is that of the permutation that sorts them. */
 Triangle Sorted(Triangle t, int& sign)
 {
   sign = 1;
@@ -48,7 +33,7 @@ Triangle Sorted(Triangle t, int& sign)
   return t;
 }
 
-/** Merges every triangle that equals an earlier one into that. */
+/** Merges every triangle into the first triangle that is equal, in whatever orientation. */
 void MergeEqualTriangles(ResolvedMesh& mesh)
 {
   struct Key
@@ -80,22 +65,7 @@ void MergeEqualTriangles(ResolvedMesh& mesh)
     mesh.Multiplicities[first->Index] += mesh.Multiplicities[key.Index];
     keep[key.Index] = 0;
   }
-  std::size_t to = 0;
-  for (std::size_t from = 0; from < keep.size(); ++from)
-  {
-    if (keep[from])
-    {
-      mesh.Facets[to] = mesh.Facets[from];
-      mesh.FacetSources[to] = mesh.FacetSources[from];
-      mesh.SignedMultiplicities[to] = mesh.SignedMultiplicities[from];
-      mesh.Multiplicities[to] = mesh.Multiplicities[from];
-      ++to;
-    }
-  }
-  mesh.Facets.resize(to);
-  mesh.FacetSources.resize(to);
-  mesh.SignedMultiplicities.resize(to);
-  mesh.Multiplicities.resize(to);
+  CompactFacets(mesh, keep);
 }
 
 } // namespace
@@ -117,41 +87,19 @@ ResolvedMesh AsResolved(const TriangleMesh& given)
 ResolvedMesh Clean(const ResolvedMesh& mesh)
 {
   ResolvedMesh result;
-  std::vector<int> newIndex = FirstEqualPoints(mesh.Points);
-  std::vector<char> used(mesh.Points.size(), 0);
+  const std::vector<int> first = FirstEqualPoints<3>(mesh.Points);
   for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
   {
-    Triangle t = mesh.Facets[i];
-    for (int& corner : t)
+    const auto& [a, b, c] = mesh.Facets[i];
+    const Triangle t = { first[a], first[b], first[c] };
+    if (!IsDegenerate(mesh.Points, t))
     {
-      corner = newIndex[corner];
-    }
-    if (IsDegenerate(mesh.Points, t))
-    {
-      continue;
-    }
-    for (const int corner : t)
-    {
-      used[corner] = 1;
-    }
-    AppendFacet<3>(mesh, i, t, result);
-  }
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    if (used[i])
-    {
-      newIndex[i] = static_cast<int>(result.Points.size());
-      result.Points.push_back(mesh.Points[i]);
-      result.PointSources.push_back(mesh.PointSources[i]);
+      AppendFacet<3>(mesh, i, t, result);
     }
   }
-  for (Triangle& t : result.Facets)
-  {
-    for (int& corner : t)
-    {
-      corner = newIndex[corner];
-    }
-  }
+  TakeUsedPoints(mesh, result);
   MergeEqualTriangles(result);
   return result;
 }
+
+} // namespace carving::helper

@@ -4,14 +4,19 @@
 
 #include "Core/Mesh/Mesh.h"
 
-/** The given triangles as a mesh to be cleaned: every triangle is its own source. */
-carving::ResolvedMesh AsResolved(const carving::TriangleMesh& given);
+namespace carving::helper
+{
+
+/** The given triangles, not cleaned yet: every triangle is its own source. */
+ResolvedMesh AsResolved(const TriangleMesh& given);
 
 /**
- * Merges equal points (the first one's source stays), drops points that no triangle uses and
- * triangles of exactly zero area, and merges equal triangles into the first of them. Points and
- * triangles keep their order.
+ * Merges equal points into the first of them, merges equal triangles into the first of them, and
+ * drops triangles whose area is exactly zero and points that no triangle uses. Points and triangles
+ * keep their order.
  */
-carving::ResolvedMesh Clean(const carving::ResolvedMesh& mesh);
+ResolvedMesh Clean(const ResolvedMesh& mesh);
+
+} // namespace carving::helper
 
 #endif

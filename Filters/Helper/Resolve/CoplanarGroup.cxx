@@ -1,103 +1,25 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/CoplanarGroup.h"
 
-#include "Core/Mesh/Vector.h"
-#include "Helper/Plane/ResolveContours.h"
+#include "Helper/Base/PlaneTriangulation.h"
+#include "Helper/Resolve/PlaneProjection.h"
 
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
 using Vertex = PlaneTriangulation::Vertex_handle;
 using Face = PlaneTriangulation::Face_handle;
 
-/** A plane, seen along the axis to which it is the least inclined. */
-class Projection
-{
-public:
-  Projection(const ResolvedMesh& mesh, int triangle)
-    : Mesh(mesh)
-  {
-    const auto& [a, b, c] = mesh.Facets[triangle];
-    const Point normal = Cross(mesh.Points[b] - mesh.Points[a], mesh.Points[c] - mesh.Points[a]);
-    std::array<int, 3> axes = { 0, 1, 2 };
-    std::sort(axes.begin(), axes.end(),
-      [&](int i, int k) { return std::abs(normal[i]) > std::abs(normal[k]); });
-    // What is rounded may mislead where the triangle is a sliver.
-    for (const int axis : axes)
-    {
-      this->Axis = axis;
-      if (this->SideOf(triangle) != CGAL::COLLINEAR)
-      {
-        break;
-      }
-    }
-    this->Origin = ToExact(mesh.Points[a]);
-    const Exact::Vector_3 exact = CGAL::cross_product(
-      ToExact(mesh.Points[b]) - this->Origin, ToExact(mesh.Points[c]) - this->Origin);
-    this->SlopeU = -exact[this->U()] / exact[this->Axis];
-    this->SlopeV = -exact[this->V()] / exact[this->Axis];
-    this->SlopeU.exact();
-    this->SlopeV.exact();
-  }
-
-  PlaneKernel::Point_2 Flat(const ExactPoint& p) const
-  {
-    return { p[this->U()], p[this->V()] };
-  }
-
-  /** The point of the plane at a place, rounded: equal points give equal results, however they were made. */
-  Point Lift(const PlaneKernel::Point_2& place) const
-  {
-    const Exact::FT height = this->Origin[this->Axis] +
-      this->SlopeU * (place.x() - this->Origin[this->U()]) +
-      this->SlopeV * (place.y() - this->Origin[this->V()]);
-    Point p;
-    p[this->U()] = CGAL::to_double(place.x().exact());
-    p[this->V()] = CGAL::to_double(place.y().exact());
-    p[this->Axis] = CGAL::to_double(height.exact());
-    return p;
-  }
-
-  /** How a triangle of the plane is oriented as it is seen. */
-  CGAL::Orientation SideOf(int triangle) const
-  {
-    const auto& [a, b, c] = this->Mesh.Facets[triangle];
-    const auto flat = [this](int point)
-    {
-      const Point& p = this->Mesh.Points[point];
-      return Inexact::Point_2(p[this->U()], p[this->V()]);
-    };
-    return CGAL::orientation(flat(a), flat(b), flat(c));
-  }
-
-private:
-  int U() const
-  {
-    return (this->Axis + 1) % 3;
-  }
-  int V() const
-  {
-    return (this->Axis + 2) % 3;
-  }
-
-  const ResolvedMesh& Mesh;
-  int Axis;
-  Exact::Point_3 Origin;
-  Exact::FT SlopeU, SlopeV;
-};
-
 using Edge = std::pair<int, int>;
-
 using EdgeHash = boost::hash<Edge>;
 
 Edge Undirected(int a, int b)
@@ -105,6 +27,7 @@ Edge Undirected(int a, int b)
   return std::minmax(a, b);
 }
 
+/** The arrangement of the sides and cuts of a group in its plane. */
 class Arrangement
 {
 public:
@@ -137,11 +60,11 @@ private:
   const ResolvedMesh& Mesh;
   const CutPoints& Cuts;
   const CoplanarGroup& Group;
-  Projection Plane;
+  PlaneProjection Plane;
   PlaneTriangulation Triangulation;
-  std::unordered_map<int, Vertex> Vertices; ///< by the numbers of points
-  std::vector<std::pair<int, PlaneTriangulation::Constraint_id>> Sides; ///< with their triangles
-  /** By vertices: the triangles of whose borders an edge is. */
+  std::unordered_map<int, Vertex> Vertices;                             ///< of points
+  std::vector<std::pair<int, PlaneTriangulation::Constraint_id>> Sides; ///< of triangles
+  /** For each edge on the border of any triangle, these triangles. */
   std::unordered_map<Edge, std::vector<int>, EdgeHash> Borders;
 };
 
@@ -167,7 +90,7 @@ void Arrangement::InsertPoints()
   const std::vector<Vertex> vertices = InsertInOrder(places, this->Triangulation);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    // Of points at one place the first counts.
+    // The first of several points at one place represents them.
     PointIndex& index = vertices[i]->info();
     index.Value = index.Value < 0 ? points[i] : index.Value;
     this->Vertices[points[i]] = vertices[i];
@@ -206,7 +129,7 @@ void Arrangement::InsertSegments()
   }
 }
 
-/** Where sides and cuts cross. */
+/** Appends the points at which sides and cuts cross. */
 void Arrangement::AppendPoints(ResolvedMesh& result)
 {
   for (const Vertex vertex : this->Triangulation.finite_vertex_handles())
@@ -234,7 +157,10 @@ void Arrangement::FindBorders()
   }
 }
 
-/** Across an edge some triangles end and others begin. */
+/**
+ * The triangles that cover the neighbor of a face, given those that cover the face: on the edge
+ * between them, some triangles end and others begin.
+ */
 std::vector<int> Arrangement::CoverBeyond(
   const Face& face, int i, const std::vector<int>& cover) const
 {
@@ -262,23 +188,25 @@ std::vector<int> Arrangement::CoverBeyond(
   return beyond;
 }
 
+/** Merges all triangles that cover a face into it. The first of them gives it its orientation. */
 void Arrangement::AppendFace(
   const Face& face, const std::vector<int>& cover, ResolvedMesh& result) const
 {
   const int first = cover.front();
-  const CGAL::Orientation side = this->Plane.SideOf(first);
+  const CGAL::Orientation orientation = this->Plane.OrientationOf(first);
   const Triangle corners = { face->vertex(0)->info().Value, face->vertex(1)->info().Value,
     face->vertex(2)->info().Value };
-  AppendFacet<3>(this->Mesh, first, side == CGAL::POSITIVE ? corners : Flipped<3>(corners), result);
+  AppendFacet<3>(
+    this->Mesh, first, orientation == CGAL::POSITIVE ? corners : Flipped<3>(corners), result);
   for (std::size_t k = 1; k < cover.size(); ++k)
   {
-    const int sign = side == this->Plane.SideOf(cover[k]) ? 1 : -1;
+    const int sign = orientation == this->Plane.OrientationOf(cover[k]) ? 1 : -1;
     result.SignedMultiplicities.back() += sign * this->Mesh.SignedMultiplicities[cover[k]];
     result.Multiplicities.back() += this->Mesh.Multiplicities[cover[k]];
   }
 }
 
-/** Walks from the outside, where there is none, to all faces. */
+/** Walks from the unbounded face, which no triangle covers, to all other faces. */
 void Arrangement::AppendCovered(ResolvedMesh& result) const
 {
   struct Step
@@ -314,3 +242,5 @@ void AppendPieces(const ResolvedMesh& mesh, const CutPoints& cutPoints, const Co
 {
   Arrangement(mesh, cutPoints, group).Build(result);
 }
+
+} // namespace carving::helper

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * Triangles of one plane, cut along each other and along what crosses the plane.
+ * Resolves the triangles of one plane: cuts them along each other and along triangles of other
+ * planes.
  */
 #ifndef carving_CoplanarGroup_h
 #define carving_CoplanarGroup_h
@@ -10,21 +11,29 @@
 
 #include <vector>
 
-/** Triangles in one plane, ascending, and what others have in common with them. */
+namespace carving::helper
+{
+
+/**
+ * Triangles in one plane, in ascending order, and their intersections with triangles of other
+ * planes.
+ */
 struct CoplanarGroup
 {
   std::vector<int> Triangles;
-  std::vector<std::array<int, 2>> Cuts; ///< segments between points; isolated ones have equal ends
+  std::vector<std::array<int, 2>> Cuts; ///< segments between points; equal ends: a single point
 };
 
 /**
- * Appends the faces of the group's arrangement that any of its triangles covers to `result`, which has the
- * points of `mesh` and `cutPoints`. All triangles that cover a face are merged into it, as if it had been
- * appended for each of them: it is of the first, and has the signed sum and the sum of their numbers. New
- * points are exact, then rounded. Takes O((n + k) log n) time for n edges and cuts with k
- * intersections, besides the time to name all triangles that cover each face.
+ * Appends the faces of the group's arrangement that any triangle covers to `result`, which has the
+ * points of `mesh` and `cutPoints`. All triangles that cover a face are merged into it: the face
+ * belongs to the first of them, and its multiplicities are the sums of theirs. New points are
+ * exact, then rounded. Takes O((n + k) log n) time for n edges and cuts with k intersections, plus
+ * the time to list the triangles that cover each face.
  */
-void AppendPieces(const carving::ResolvedMesh& mesh, const CutPoints& cutPoints,
-  const CoplanarGroup& group, carving::ResolvedMesh& result);
+void AppendPieces(const ResolvedMesh& mesh, const CutPoints& cutPoints, const CoplanarGroup& group,
+  ResolvedMesh& result);
+
+} // namespace carving::helper
 
 #endif

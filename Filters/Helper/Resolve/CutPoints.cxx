@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-using namespace carving;
+namespace carving::helper
+{
 
 CutPoints::CutPoints(const ResolvedMesh& mesh)
   : Mesh(mesh)
@@ -15,8 +16,8 @@ std::array<int, 2> CutPoints::Intersect(int a, int b)
   std::vector<int> ends;
   this->AddEnds(a, b, ends);
   this->AddEnds(b, a, ends);
-  // Where edges cross edges one end is found as several points. In the order of numbers, those of the
-  // mesh come first.
+  // Where edges cross edges, one end is found as several equal points. Points of the mesh have the
+  // lowest indices, so they are preferred.
   std::sort(ends.begin(), ends.end());
   int last = ends.front();
   for (const int end : ends)
@@ -47,7 +48,7 @@ void CutPoints::AppendRounded(ResolvedMesh& result) const
   }
 }
 
-/** Adds where corners and edges of triangle a meet triangle b. */
+/** Adds the points at which corners and edges of triangle a meet triangle b. */
 void CutPoints::AddEnds(int a, int b, std::vector<int>& ends)
 {
   const Triangle &of = this->Mesh.Facets[a], &other = this->Mesh.Facets[b];
@@ -152,3 +153,5 @@ bool CutPoints::AreEqual(int a, int b) const
   }
   return this->Get(a) == this->Get(b);
 }
+
+} // namespace carving::helper

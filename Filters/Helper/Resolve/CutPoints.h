@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * Where edges of triangles cross other triangles.
+ * The points at which edges of triangles cross other triangles.
  */
 #ifndef carving_CutPoints_h
 #define carving_CutPoints_h
@@ -14,24 +14,33 @@
 #include <unordered_map>
 #include <vector>
 
+namespace carving::helper
+{
+
 using ExactPoint = std::array<Exact::FT, 3>;
 
 /**
- * The points of a mesh and those at which its edges cross its triangles. A point that triangles have in
- * common is made once for all of them and has one number.
+ * The points of a mesh, followed by the points at which its edges cross its triangles. A point that
+ * several triangles have in common is constructed once and has one index.
  */
 class CutPoints
 {
 public:
-  explicit CutPoints(const carving::ResolvedMesh& mesh);
+  explicit CutPoints(const ResolvedMesh& mesh);
 
-  /** What two triangles that meet, but lie in different planes, have in common: a segment or a point. */
+  /**
+   * The segment that two intersecting triangles of different planes have in common; equal ends: a
+   * point.
+   */
   std::array<int, 2> Intersect(int a, int b);
 
   ExactPoint Get(int point) const;
 
-  /** Appends the new points, rounded: equal ones give equal results, however they were made. */
-  void AppendRounded(carving::ResolvedMesh& result) const;
+  /**
+   * Appends the new points, rounded. Equal points give equal results, however they were
+   * constructed.
+   */
+  void AppendRounded(ResolvedMesh& result) const;
 
 private:
   using ExactVector = std::array<Exact::Exact_kernel::FT, 3>;
@@ -44,10 +53,12 @@ private:
   Inexact::Point_3 At(int point) const;
   bool AreEqual(int a, int b) const;
 
-  const carving::ResolvedMesh& Mesh;
+  const ResolvedMesh& Mesh;
   std::vector<ExactPoint> Made;
   std::unordered_map<Crossing, int, boost::hash<Crossing>> Known;
   std::unordered_map<int, ExactVector> Normals; ///< of triangles
 };
+
+} // namespace carving::helper
 
 #endif

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -21,16 +21,16 @@ struct Sides
   int Behind = 0;
 };
 
-/** A way from a facet to another across an edge that no third one has. */
-struct Way
+/** The neighbor of a facet across an edge that no third facet has. */
+struct Neighbor
 {
-  int To = -1;
-  bool Turned = false; ///< the other's front is behind this one
+  int Facet = -1;       ///< -1: none
+  bool Flipped = false; ///< the two facets are inconsistently oriented
 };
 
-using Ways = std::array<Way, 3>;
+using Neighbors = std::array<Neighbor, 3>;
 
-std::vector<Ways> FindWays(const ResolvedMesh& mesh)
+std::vector<Neighbors> FindNeighbors(const ResolvedMesh& mesh)
 {
   struct Use
   {
@@ -51,7 +51,7 @@ std::vector<Ways> FindWays(const ResolvedMesh& mesh)
   std::sort(uses.begin(), uses.end(),
     [](const Use& a, const Use& b)
     { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Facet < b.Facet; });
-  std::vector<Ways> ways(mesh.Facets.size());
+  std::vector<Neighbors> neighbors(mesh.Facets.size());
   for (std::size_t first = 0, last = 0; first < uses.size(); first = last)
   {
     while (last < uses.size() && uses[last].Edge == uses[first].Edge)
@@ -61,15 +61,15 @@ std::vector<Ways> FindWays(const ResolvedMesh& mesh)
     if (last - first == 2)
     {
       const Use &a = uses[first], &b = uses[first + 1];
-      const bool turned = a.Ascending == b.Ascending;
-      ways[a.Facet][a.Place] = { b.Facet, turned };
-      ways[b.Facet][b.Place] = { a.Facet, turned };
+      const bool flipped = a.Ascending == b.Ascending;
+      neighbors[a.Facet][a.Place] = { b.Facet, flipped };
+      neighbors[b.Facet][b.Place] = { a.Facet, flipped };
     }
   }
-  return ways;
+  return neighbors;
 }
 
-/** The area over the longest edge: how far one can be from all edges, about. */
+/** Twice the area divided by the longest edge: the least height. */
 double Width(const ResolvedMesh& mesh, int facet)
 {
   const auto& [a, b, c] = mesh.Facets[facet];
@@ -93,19 +93,20 @@ Point PointInFront(const ResolvedMesh& mesh, int facet)
   return result;
 }
 
-/** All that is joined with a facet by ways, that facet first. */
-std::vector<int> Patch(int seed, const std::vector<Ways>& ways, std::vector<char>& reached)
+/** The facets that are connected to `seed` by neighbors, `seed` first. */
+std::vector<int> Patch(
+  int seed, const std::vector<Neighbors>& neighbors, std::vector<char>& reached)
 {
   std::vector<int> patch = { seed };
   reached[seed] = 1;
   for (std::size_t i = 0; i < patch.size(); ++i)
   {
-    for (const Way& way : ways[patch[i]])
+    for (const Neighbor& neighbor : neighbors[patch[i]])
     {
-      if (way.To >= 0 && !reached[way.To])
+      if (neighbor.Facet >= 0 && !reached[neighbor.Facet])
       {
-        reached[way.To] = 1;
-        patch.push_back(way.To);
+        reached[neighbor.Facet] = 1;
+        patch.push_back(neighbor.Facet);
       }
     }
   }
@@ -113,23 +114,25 @@ std::vector<int> Patch(int seed, const std::vector<Ways>& ways, std::vector<char
 }
 
 /**
- * One winding number per patch, at its widest facet, is enough: on a way from facet to facet neither
- * side's changes. Returns false where it is not near an integer.
+ * Finds the winding numbers on both sides of every facet. One measurement per patch suffices, at
+ * its widest facet: from a facet to its neighbor, the winding numbers of the two sides do not
+ * change. Returns false if one is not close to an integer.
  */
 bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
 {
   constexpr double Ambiguous = 0.1;
-  const std::vector<Ways> ways = FindWays(mesh);
+  const std::vector<Neighbors> neighbors = FindNeighbors(mesh);
   const WindingTree tree(mesh);
-  sides.resize(mesh.Facets.size());
-  std::vector<char> reached(mesh.Facets.size(), 0), known(mesh.Facets.size(), 0);
-  for (int seed = 0; seed < static_cast<int>(mesh.Facets.size()); ++seed)
+  const int numberOfFacets = static_cast<int>(mesh.Facets.size());
+  sides.resize(numberOfFacets);
+  std::vector<char> reached(numberOfFacets, 0), known(numberOfFacets, 0);
+  for (int seed = 0; seed < numberOfFacets; ++seed)
   {
     if (reached[seed])
     {
       continue;
     }
-    const std::vector<int> patch = Patch(seed, ways, reached);
+    const std::vector<int> patch = Patch(seed, neighbors, reached);
     const int widest = *std::max_element(
       patch.begin(), patch.end(), [&](int a, int b) { return Width(mesh, a) < Width(mesh, b); });
     const double winding = tree.Measure(PointInFront(mesh, widest), { Ambiguous });
@@ -139,14 +142,14 @@ bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
       return false;
     }
     sides[widest] = { front, front + mesh.SignedMultiplicities[widest] };
-    for (const int facet : Patch(widest, ways, known))
+    for (const int facet : Patch(widest, neighbors, known))
     {
-      for (const Way& way : ways[facet])
+      for (const Neighbor& neighbor : neighbors[facet])
       {
-        if (way.To >= 0)
+        if (neighbor.Facet >= 0)
         {
-          const Sides& s = sides[facet];
-          sides[way.To] = way.Turned ? Sides{ s.Behind, s.Front } : s;
+          const auto& [ahead, behind] = sides[facet];
+          sides[neighbor.Facet] = neighbor.Flipped ? Sides{ behind, ahead } : sides[facet];
         }
       }
     }
@@ -182,10 +185,12 @@ int DropInterior(SolidRule rule, ResolvedMesh& mesh)
     }
   }
   const std::size_t dropped = mesh.Facets.size() - boundary.Facets.size();
-  if (dropped == 0 || !IsClosed(boundary)) // else some side has been taken for another
+  if (dropped == 0 || !IsClosed(boundary)) // not closed: the winding number of some side is wrong
   {
     return 0;
   }
   mesh = Clean(boundary);
   return static_cast<int>(dropped);
 }
+
+} // namespace carving::helper

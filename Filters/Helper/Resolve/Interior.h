@@ -5,12 +5,19 @@
 #include "Core/Mesh/Mesh.h"
 #include "Core/Solid/Classification.h"
 
+namespace carving::helper
+{
+
 /**
- * Leaves out the triangles that have solid on both sides by a rule, which no level shows, and the points
- * that only they use. The others' `SignedMultiplicities` and `Multiplicities` become those of the boundary of the solid, so that
- * by the same rule the same is solid. Returns how many were left out: none, and nothing is changed, where
- * the mesh, which has been resolved, is not closed or what is solid cannot be told.
+ * Removes the triangles that have solid on both sides by the given rule, which no level shows, and
+ * the points that only they use. The multiplicities of the remaining triangles become those of the
+ * solid's boundary, so that the same rule finds the same solid. Not in the paper.
+ *
+ * The mesh has been resolved. Returns the number of removed triangles. It is 0, and the mesh is
+ * unchanged, if the mesh is not closed or the solid is ambiguous.
  */
-int DropInterior(carving::SolidRule rule, carving::ResolvedMesh& mesh);
+int DropInterior(SolidRule rule, ResolvedMesh& mesh);
+
+} // namespace carving::helper
 
 #endif

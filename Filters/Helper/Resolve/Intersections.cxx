@@ -7,12 +7,12 @@
 
 #include <algorithm>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
-/** Two triangles with the corners they share in front, in the same order. */
+/** Two triangles whose shared corners come first, in the same order. */
 struct Aligned
 {
   Inexact::Point_3 A[3];
@@ -53,7 +53,8 @@ bool Intersect(const std::vector<Point>& points, const Triangle& ta, const Trian
         Inexact::Triangle_3(a[0], a[1], a[2]), Inexact::Triangle_3(b[0], b[1], b[2]));
     case 1:
     {
-      // They have more than the corner in common just if an opposite edge meets the other triangle.
+      // The intersection is convex: it is more than the corner if and only if the edge opposite to
+      // the corner in one triangle meets the other triangle.
       const auto sideOfB = CGAL::orientation(a[0], a[1], a[2], b[1]);
       if (sideOfB != CGAL::COPLANAR && sideOfB == CGAL::orientation(a[0], a[1], a[2], b[2]))
       {
@@ -110,3 +111,5 @@ std::vector<std::pair<int, int>> FindIntersections(
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
+
+} // namespace carving::helper

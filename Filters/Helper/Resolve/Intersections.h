@@ -7,11 +7,16 @@
 #include <utility>
 #include <vector>
 
+namespace carving::helper
+{
+
 /**
- * All pairs of triangles, the smaller index first and in ascending order, that have more in common
- * than shared vertices or a shared edge. Decided by exact predicates. The mesh has been cleaned.
+ * All pairs of triangles whose intersection is more than their shared vertices or their shared
+ * edge, in ascending order, the lower index first. Exact. The mesh has been cleaned.
  */
 std::vector<std::pair<int, int>> FindIntersections(
-  const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles);
+
+} // namespace carving::helper
 
 #endif

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
@@ -28,14 +28,16 @@ bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
     });
 }
 
-/** Triangles that meet others, in groups, and for every triangle its group; -1: none. */
+/** The triangles that intersect others, by plane. */
 struct Grouping
 {
   std::vector<CoplanarGroup> Groups;
-  std::vector<int> GroupOf;
+  std::vector<int> GroupOf; ///< one entry per triangle; -1: none
 };
 
-/** Pairs in one plane get into one group; they are taken out of `pairs`. */
+/**
+ * Puts the triangles of each coplanar pair into one group, and removes these pairs from `pairs`.
+ */
 Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
 {
   const int count = static_cast<int>(mesh.Facets.size());
@@ -72,7 +74,7 @@ Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
   return result;
 }
 
-/** One round: the triangles in pieces. */
+/** Makes one round of splitting. */
 ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progress)
 {
   Grouping grouping = FindGroups(mesh, pairs);
@@ -113,7 +115,8 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
 std::string Resolve(
   ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
-  // Nearly every mesh is clean after one round; the limits end those that rounding keeps dirty.
+  // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
+  // more.
   constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
   Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
   const std::size_t given = pairs.size();
@@ -141,3 +144,5 @@ std::string Resolve(
   }
   return {};
 }
+
+} // namespace carving::helper

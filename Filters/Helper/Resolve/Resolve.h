@@ -8,17 +8,22 @@
 #include <cmath>
 #include <string>
 
+namespace carving::helper
+{
+
 /**
- * Splits triangles along their mutual intersections until no two meet other than in a shared vertex
- * or edge. The points of intersection are exact, then rounded to double; since rounding can make
- * new intersections, it looks again until none is left. It gives up where
- * rounding leaves ever more.
+ * Splits triangles along their mutual intersections until any two meet only in a shared vertex or
+ * edge. Points of intersection are exact, then rounded to doubles. Since rounding can create new
+ * intersections, rounds of splitting follow until none is left. Resolving gives up where rounding
+ * creates ever more.
  *
- * `mesh` has been cleaned and stays so. `intersectingPairs` is the number of pairs in the given
- * mesh; with more than `maximumPairs` nothing is split. Returns an empty string or why no clean mesh was
- * reached.
+ * `mesh` has been cleaned and stays clean. `intersectingPairs` is set to the number of intersecting
+ * pairs in the given mesh; if it exceeds `maximumPairs`, nothing is split. Returns an empty string,
+ * or why intersections are left.
  */
-std::string Resolve(carving::ResolvedMesh& mesh, int& intersectingPairs,
-  const carving::Progress& progress, double maximumPairs = HUGE_VAL);
+std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress,
+  double maximumPairs = HUGE_VAL);
+
+} // namespace carving::helper
 
 #endif

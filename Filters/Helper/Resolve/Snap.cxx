@@ -9,12 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace carving;
-
+namespace carving::helper
+{
 namespace
 {
 
-/** A coordinate that has no finer digits than the grid stays as it is. */
+/** A coordinate so large that a double cannot be off the grid stays as it is. */
 double Round(double coordinate, double spacing)
 {
   constexpr double exactIntegers = 9007199254740992.0; // 2^53
@@ -22,7 +22,7 @@ double Round(double coordinate, double spacing)
   return std::abs(steps) < exactIntegers ? std::round(steps) * spacing : coordinate;
 }
 
-/** Returns how far the points are moved at most. */
+/** Returns the largest distance by which a point moves. */
 double Round(std::vector<Point>& points, double spacing)
 {
   double farthest = 0.0;
@@ -38,7 +38,7 @@ double Round(std::vector<Point>& points, double spacing)
   return farthest;
 }
 
-/** How far corners of triangles are at most from the given triangles that they are parts of. */
+/** The largest distance of a corner from the given triangle that its triangle is a part of. */
 double DistanceFromSources(const ResolvedMesh& given, const ResolvedMesh& mesh)
 {
   double farthest = 0.0;
@@ -90,3 +90,5 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
   snapped.Distance = std::max(snapped.Distance, DistanceFromSources(given, mesh));
   return mistake;
 }
+
+} // namespace carving::helper

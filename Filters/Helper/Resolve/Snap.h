@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * What nearly touches is made to touch, or to go: points are moved a little.
+ * Moves points by a little, so that parts that nearly touch either touch or separate. Not in the
+ * paper.
  */
 #ifndef carving_Snap_h
 #define carving_Snap_h
@@ -11,29 +12,37 @@
 
 #include <string>
 
-/** The widest spacing of a grid, a power of two, to which no point is farther than `tolerance`. */
+namespace carving::helper
+{
+
+/**
+ * The widest grid spacing, a power of two, at which no point is farther than `tolerance` from the
+ * grid.
+ */
 double GridSpacing(double tolerance);
 
 struct SnappedMesh
 {
-  carving::ResolvedMesh Mesh;
+  ResolvedMesh Mesh;
   int IntersectingPairs = 0; ///< after the first rounding
   /**
-   * The farthest that a given point has been moved by, or that a point of `Mesh` is from the triangle of
-   * the given mesh that its own is a part of.
+   * The largest distance by which a given point has moved, or, if larger, the largest distance of a
+   * point of `Mesh` from the given triangle that the point's triangle is a part of.
    */
   double Distance = 0.0;
 };
 
 /**
- * Rounds the points of `given`, which has been cleaned, to a grid and resolves the mesh; points that
- * makes are rounded too, and what crosses by that is resolved, until all points are on the grid and no two
- * triangles meet other than in a shared vertex or edge. Triangles that lose their area are dropped.
- * `PointSources` name the given points, although they have been moved. With more than `maximumPairs`
- * of intersecting triangles nothing is resolved. Returns an empty string or why it came to no end: a
- * grid that is too coarse for a mesh makes ever more crossings.
+ * Rounds the points of `given`, which has been cleaned, to a grid and resolves the mesh, again and
+ * again until all points are on the grid and any two triangles meet only in a shared vertex or edge
+ * ("iterated snap rounding"). Triangles that lose their area are dropped. `PointSources` refer to
+ * the given points, although these have moved. With more than `maximumPairs` of intersecting
+ * triangles, nothing is resolved. Returns an empty string, or why snapping did not end: on a grid
+ * that is too coarse for the mesh, crossings multiply.
  */
-std::string Snap(const carving::ResolvedMesh& given, double spacing,
-  const carving::Progress& progress, double maximumPairs, SnappedMesh& snapped);
+std::string Snap(const ResolvedMesh& given, double spacing, const Progress& progress,
+  double maximumPairs, SnappedMesh& snapped);
+
+} // namespace carving::helper
 
 #endif

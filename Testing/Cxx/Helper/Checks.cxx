@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 
+#include "Core/Mesh/Vector.h"
 #include "Helper/Base/Kernels.h"
 
 #include <CGAL/MP_Float.h>
@@ -16,6 +17,7 @@
 
 using carving::Point;
 using carving::Triangle;
+using namespace carving::helper;
 
 namespace checks
 {
@@ -27,7 +29,9 @@ Inexact::Triangle_3 ToTriangle(const std::vector<Point>& points, const Triangle&
   return { ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]) };
 }
 
-/** How many corners two triangles share; orders each by shared corners first, those in one order. */
+/**
+ * Moves the corners that two triangles share to the front, in the same order; returns their number.
+ */
 int ShareFirst(Triangle& a, Triangle& b)
 {
   int shared = 0;
@@ -45,8 +49,8 @@ int ShareFirst(Triangle& a, Triangle& b)
 }
 
 /**
- * Whether triangles meet in more than the corners that they share. By predicates alone: they are exact
- * without exact coordinates of what the triangles have in common.
+ * Whether two triangles meet in more than the corners that they share. Predicates suffice: they are
+ * exact, and the intersection need not be constructed.
  */
 bool Cross(const std::vector<Point>& points, Triangle a, Triangle b)
 {
@@ -57,12 +61,13 @@ bool Cross(const std::vector<Point>& points, Triangle a, Triangle b)
     case 0:
       return CGAL::do_intersect(ToTriangle(points, a), ToTriangle(points, b));
     case 1:
-      // What they have in common is convex: if it goes on from the corner, then to a side opposite to it.
+      // The intersection is convex: if it is more than the corner, it reaches an edge opposite to
+      // the corner.
       return CGAL::do_intersect(oppositeSide(a), ToTriangle(points, b)) ||
         CGAL::do_intersect(oppositeSide(b), ToTriangle(points, a));
     case 2:
     {
-      // Unless one lies flat on the other, they have their side in common and nothing else.
+      // Only coplanar triangles on the same side of their edge have more than the edge in common.
       const Inexact::Point_3 p = ToInexact(points[a[0]]), q = ToInexact(points[a[1]]),
                              r = ToInexact(points[a[2]]), s = ToInexact(points[b[2]]);
       return CGAL::orientation(p, q, r, s) == CGAL::COPLANAR &&
@@ -104,6 +109,18 @@ bool IsClosed(const std::vector<Triangle>& triangles)
   }
   return std::all_of(
     passages.begin(), passages.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+double SixVolume(const carving::Tetrahedralization& mesh)
+{
+  const std::vector<Point>& p = mesh.Surface.Points;
+  double sum = 0.0;
+  for (const auto& [a, b, c, d] : mesh.Cells)
+  {
+    const double volume = carving::SixVolume(p[a], p[b], p[c], p[d]);
+    sum += volume > 0.0 ? volume : NAN;
+  }
+  return sum;
 }
 
 double SixVolume(const std::vector<Point>& points, const std::vector<Triangle>& triangles)

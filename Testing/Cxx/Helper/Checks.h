@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Judges surfaces with exact arithmetic, by other means than those of the code under test.
+ * Checks of surfaces in exact arithmetic, independent of the code under test.
  */
 #ifndef Checks_h
 #define Checks_h
@@ -17,23 +17,26 @@ namespace checks
 int CountCrossings(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
 
-/** Whether every edge is passed as often in one direction as in the other. */
+/** Whether every edge is used equally often in both directions. */
 bool IsClosed(const std::vector<carving::Triangle>& triangles);
 
-/** Six times the volume that a closed surface bounds. Exact, but for a last rounding. */
+/** Six times the volume of all tetrahedra; NaN if any is not positively oriented. */
+double SixVolume(const carving::Tetrahedralization& mesh);
+
+/** Six times the volume inside a closed surface. Exact, except for a final rounding. */
 double SixVolume(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
 
-/** The triangles that a ray from a point passes. Exact; the ray is in line with nothing. */
+/** The triangles that a ray from a point crosses. Exact; the ray's direction is generic. */
 struct Passages
 {
-  int Sum = 0;   ///< those that it passes to their front, less those that it passes to their back
-  int Count = 0; ///< all of them
+  int Sum = 0;   ///< crossings from back to front, minus crossings from front to back
+  int Count = 0; ///< all crossings
 };
 Passages CountPassages(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point);
 
-/** Whether a closed surface has a point on or inside it. Exact. */
+/** Whether a point is on or inside a closed surface. Exact. */
 bool Encloses(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point);
 
@@ -45,12 +48,12 @@ struct Hull
 };
 Hull ConvexHull(const std::vector<carving::Point>& points);
 
-/** Whether the line through a point in a direction meets any triangle. Exact. */
+/** Whether the line through a point along a direction meets any triangle. Exact. */
 bool LineHits(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point,
   const carving::Point& direction);
 
-/** The distance of a point from the triangle nearest to it. */
+/** The distance of a point from the closest triangle. */
 double DistanceTo(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point);
 

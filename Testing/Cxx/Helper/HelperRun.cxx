@@ -13,7 +13,7 @@
 
 HelperRun RunHelper(const std::string& input)
 {
-  // Tests may run in parallel.
+  // Unique names, since tests may run in parallel.
   const std::string stem = testing::TempDir() + "carving-helper-test-" + std::to_string(getpid());
   const std::string job = stem + ".job", reply = stem + ".reply";
   std::ofstream(job, std::ios::binary) << input;

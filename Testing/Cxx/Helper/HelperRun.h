@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Runs the helper program the plain way, through files, so that nothing it does can end the tests.
+ * Runs the helper program as a separate process, through files, so that a crash cannot end the
+ * tests.
  */
 #ifndef HelperRun_h
 #define HelperRun_h
@@ -13,8 +14,8 @@
 struct HelperRun
 {
   int ExitCode = -1;
-  std::string Output;  ///< what it wrote on standard output
-  std::string Mistake; ///< what reading the output as a reply complained about
+  std::string Output;  ///< its standard output
+  std::string Mistake; ///< why the output cannot be read as a reply
   carving::Reply Reply;
 
   bool Succeeded() const

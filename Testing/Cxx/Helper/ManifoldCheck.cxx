@@ -10,7 +10,10 @@ using namespace carving;
 namespace
 {
 
-/** The triangles around a vertex are one fan if the edges opposite to it are connected. */
+/**
+ * Whether the triangles around a vertex are one fan: whether the edges opposite to the vertex are
+ * connected.
+ */
 bool IsOneFan(const std::vector<std::pair<int, int>>& link)
 {
   std::map<int, std::vector<int>> adjacent;

@@ -23,7 +23,7 @@ using namespace carving;
 namespace
 {
 
-/** The part of a level that bounds a volume: all but the folds. */
+/** The part of a level that bounds a volume: all faces except the folds. */
 std::vector<Triangle> Shell(const Level<3>& level)
 {
   std::vector<Triangle> shell;
@@ -66,7 +66,7 @@ std::vector<char> UsedPoints(const Carved& carved, const Level<3>& level)
   return used;
 }
 
-/** Property 1, for one level: no input vertex is outside. */
+/** Property 1 of one level: no input vertex is outside. */
 void ExpectToEnclose(const Carved& carved, const Level<3>& level, int samples)
 {
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
@@ -88,7 +88,7 @@ void ExpectToEnclose(const Carved& carved, const Level<3>& level, int samples)
   }
 }
 
-/** Property 1, between two levels: no line that misses the coarser one hits the finer one. */
+/** Property 1 of two levels: a line that misses the coarser level also misses the finer one. */
 void ExpectSilhouetteToShrink(const Carved& carved, const Level<3>& coarse, const Level<3>& fine,
   int lines, std::mt19937_64& random)
 {
@@ -97,7 +97,7 @@ void ExpectSilhouetteToShrink(const Carved& carved, const Level<3>& coarse, cons
   for (int i = 0; i < lines; ++i)
   {
     const Point direction = { normal(random), normal(random), normal(random) };
-    // Through a point near the finer level, so that lines graze it.
+    // Through a point near the finer level, so that many lines graze it.
     const Triangle& t = fine.Faces[random() % fine.Faces.size()].Corners;
     Point through = points[t[0]];
     for (double& x : through)
@@ -111,7 +111,7 @@ void ExpectSilhouetteToShrink(const Carved& carved, const Level<3>& coarse, cons
   }
 }
 
-/** The first level is the convex hull of all points, those of a box included. */
+/** Property 2: the first level is the convex hull of all points, including those of a box. */
 void ExpectHull(const Carved& carved, const Level<3>& level)
 {
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
@@ -130,7 +130,9 @@ void ExpectHull(const Carved& carved, const Level<3>& level)
     std::includes(vertices.begin(), vertices.end(), hull.Vertices.begin(), hull.Vertices.end()));
 }
 
-/** The last level is every triangle of M that has not solid on both sides, once, and no other. */
+/**
+ * Property 2: the last level is every triangle of M except those with solid on both sides, once.
+ */
 void ExpectInput(const Carved& carved, const Level<3>& level)
 {
   const std::vector<Triangle>& triangles = carved.Mesh.Surface.Facets;
@@ -165,7 +167,7 @@ void ExpectInput(const Carved& carved, const Level<3>& level)
   EXPECT_EQ(found, expected);
 }
 
-/** Property 4, with one or both sides of folds; cutting opens no tunnel. */
+/** Property 4, with one and with both sides of folds. Cutting opens no tunnel. */
 void ExpectManifold(const Carved& carved, int step)
 {
   StoredStream<3> stream = carved.Stored;
@@ -177,7 +179,8 @@ void ExpectManifold(const Carved& carved, int step)
     EXPECT_EQ(checks::FindFaults(level, cut), checks::ManifoldFaults());
     const int genus = checks::Genus(cut), measured = MeasureSurface(cut).Genus;
     EXPECT_TRUE(measured == genus || measured == -1) << measured << " for " << genus; // -1: open
-    // Folds of one side are joined with folds only: a tunnel that they close is open in the solid.
+    // One-sided folds are joined with folds only: a tunnel that they close in M is open in the
+    // level.
     if (folds == FoldSides::Both || !HasFolds(level))
     {
       EXPECT_EQ(measured, genus);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What must hold for every stream.
+ * The properties that must hold for every stream.
  */
 #ifndef PropertyChecks_h
 #define PropertyChecks_h
@@ -27,16 +27,28 @@ Carved CarveResult(const carving::Tetrahedralization& mesh,
   const carving::CarveOptions& options = {},
   carving::SolidRule rule = carving::SolidRule::NonzeroWinding);
 
-/** The profile has the Betti numbers that the ranks of boundary matrices give (property 6). */
+/**
+ * Expects that the profile has the Betti numbers that the ranks of boundary matrices give (property
+ * 6).
+ */
 void ExpectTopology(const Carved& carved, int step);
 
-/** Properties 1 to 5, on some steps of the stream, and property 6 on one of all, drawn at random. */
+/**
+ * Expects, at some steps of the stream:
+ * 1. Every level contains M, the volume and the silhouettes never grow.
+ * 2. The number of input vertices, the components and the voids never decrease. The first level is
+ *    C0, and the last is M.
+ * 3. Level vertices are input vertices, bit for bit.
+ * 4. Levels cut into manifolds are oriented manifolds, closed wherever they bound a solid.
+ * 5. No level intersects itself.
+ * 6. The profile has the Betti numbers of the closed complex: at one step, drawn at random.
+ */
 void ExpectProperties(
   const carving::TriangleMesh& given, const Carved& carved, int numberOfLevels, int samples);
 
 /**
- * What the last level of closed solids bounds is what the rule says to be solid of the given mesh, at
- * random points around and within it.
+ * Expects that the last level of closed solids encloses the points that are solid by the rule,
+ * among random points around and inside the given mesh.
  */
 void ExpectSolid(const carving::TriangleMesh& given, const Carved& carved, carving::SolidRule rule,
   std::mt19937_64& random);

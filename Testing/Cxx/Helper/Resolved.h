@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Meshes without crossings for tests of what comes after resolving.
+ * Meshes without crossings, for tests of the steps after resolving.
  */
 #ifndef Resolved_h
 #define Resolved_h
@@ -12,9 +12,10 @@
 
 #include <gtest/gtest.h>
 
-/** The mesh, cleaned and resolved; expects that no two triangles cross. */
+/** Cleans and resolves a mesh, and expects that no two triangles cross. */
 inline carving::ResolvedMesh Resolved(const carving::TriangleMesh& given)
 {
+  using namespace carving::helper;
   carving::ResolvedMesh mesh = Clean(AsResolved(given));
   int pairs = 0;
   EXPECT_EQ(Resolve(mesh, pairs, {}), "");

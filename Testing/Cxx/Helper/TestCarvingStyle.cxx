@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Depth and breadth do what section 5 says of them. The measure of snaking and spiking is the share of a
- * level's vertices that lie deep below the initial approximation, at half of the vertices.
+ * Depth and breadth have the effects that sections 5.3 and 5.4 describe. Snaking and spiking are
+ * measured as the share of the vertices that lie deep below the initial approximation, in the level
+ * with half of the vertices.
  */
 #include "Contours.h"
 #include "Core/Carving/Carver.h"
@@ -25,7 +26,7 @@ using namespace carving;
 namespace
 {
 
-/** Normal, not of unit length, of a face: out of the plane z = 0 in the plane. */
+/** A normal of a triangle or of an edge in the plane z = 0; not of unit length. */
 Point Normal(const std::vector<Point>& p, const Triangle& t)
 {
   return Cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
@@ -36,7 +37,7 @@ Point Normal(const std::vector<Point>& p, const std::array<int, 2>& e)
   return Cross(p[e[1]] - p[e[0]], { 0.0, 0.0, 1.0 });
 }
 
-/** Per point its distance from the surface of the convex hull. */
+/** The distance of every point from the surface of the convex hull. */
 template <int D>
 std::vector<double> Depths(const Decomposition<D>& mesh)
 {
@@ -62,7 +63,10 @@ std::vector<double> Depths(const Decomposition<D>& mesh)
   return depths;
 }
 
-/** At half of the vertices, the share of those that are more than half as deep as the deepest. */
+/**
+ * In the level with half of the vertices, the share of vertices more than half as deep as the
+ * deepest point.
+ */
 template <int D>
 double ShareOfDeepVertices(const Decomposition<D>& mesh, double depthExponent, double breadthRadius)
 {
@@ -108,14 +112,14 @@ Decomposition<2> TriangulateContour(const models::ContourModel& contour)
 
 } // namespace
 
-// Figure 9: in the plane, depth keeps carving from digging out narrow pockets first.
+// Figure 9: in the plane, depth prevents carving from digging out narrow pockets first.
 TEST(CarvingStyle, DepthKeepsFromSnakingInThePlane)
 {
   const Decomposition<2> mesh = TriangulateContour(models::SnakingContour());
   EXPECT_LT(ShareOfDeepVertices(mesh, 2.0, 0.0), ShareOfDeepVertices(mesh, 0.0, 0.0));
 }
 
-// Figure 11: between leaves, breadth and depth keep carving from spiking.
+// Figure 11: breadth and depth prevent spiking between leaves.
 TEST(CarvingStyle, BreadthAndDepthKeepFromSpikingBetweenLeaves)
 {
   const Decomposition<3> mesh = Tetrahedralize(models::YuccaLeaves());

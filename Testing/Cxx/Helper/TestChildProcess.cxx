@@ -15,6 +15,8 @@
 #include <unistd.h>
 #include <vector>
 
+using namespace carving::helper;
+
 namespace
 {
 
@@ -39,7 +41,7 @@ Limits ByMemory(double mebibytes)
   return limits;
 }
 
-/** What has ended work that was run apart. */
+/** How work in a child process ended. */
 std::string EndOf(const Limits& limits, const std::function<bool()>& work)
 {
   return RunInChildProcess(limits, work).Mistake;
@@ -53,7 +55,7 @@ bool Hang()
   }
 }
 
-/** Takes so many seconds of processor time. */
+/** Computes until this process has used so many seconds of processor time. */
 bool Compute(double seconds)
 {
   while (static_cast<double>(std::clock()) < seconds * CLOCKS_PER_SEC)
@@ -62,7 +64,7 @@ bool Compute(double seconds)
   return true;
 }
 
-/** Leaves this process, and what it runs, one processor, and that to be shared with busy others. */
+/** Confines this process and its children to one processor, which busy processes share. */
 class OneBusyProcessor
 {
 public:
@@ -78,7 +80,7 @@ public:
       this->Others.push_back(fork());
       if (this->Others.back() == 0)
       {
-        Compute(60.0); // should nobody end it
+        Compute(60.0); // ends by itself if the test dies
         _exit(0);
       }
     }
@@ -104,8 +106,8 @@ private:
 
 } // namespace
 
-// Work that succeeds says nothing; what it leaves as message arrives.
-TEST(ChildProcess, SaysNothingOfSuccess)
+// Work that succeeds has no mistake, and its messages arrive.
+TEST(ChildProcess, HasNoMistakeOnSuccess)
 {
   Messages messages;
   EXPECT_EQ(EndOf({},
@@ -119,8 +121,8 @@ TEST(ChildProcess, SaysNothingOfSuccess)
   EXPECT_EQ(messages.Get(), "one\ntwo\n");
 }
 
-// What it changes here stays as it was.
-TEST(ChildProcess, ChangesNothingHere)
+// Changes that the work makes to memory are lost.
+TEST(ChildProcess, LeavesMemoryUnchanged)
 {
   int number = 1;
   EXPECT_EQ(EndOf({},
@@ -133,7 +135,7 @@ TEST(ChildProcess, ChangesNothingHere)
   EXPECT_EQ(number, 1);
 }
 
-// A crash is a sentence, and this process goes on.
+// A crash becomes a message, and this process continues.
 TEST(ChildProcess, SurvivesACrash)
 {
   const std::string end = EndOf({},
@@ -145,14 +147,14 @@ TEST(ChildProcess, SurvivesACrash)
   EXPECT_EQ(end, "crashed (Aborted)");
 }
 
-// What hangs is ended when its time by the clock is over.
-TEST(ChildProcess, EndsWhatHangs)
+// Work that hangs is ended by the limit on clock time.
+TEST(ChildProcess, EndsWorkThatHangs)
 {
   const std::string end = EndOf(ByClock(0.2), &Hang);
   EXPECT_EQ(end, "took longer than 0.2 s");
 }
 
-// Time in which it does not compute is no processor time.
+// Sleep is not processor time.
 TEST(ChildProcess, DoesNotCountSleep)
 {
   const std::string end = EndOf(ByProcessor(0.1),
@@ -164,7 +166,7 @@ TEST(ChildProcess, DoesNotCountSleep)
   EXPECT_EQ(end, "");
 }
 
-// Time in which others have the processor is no processor time.
+// The time of other processes is not processor time of this one.
 TEST(ChildProcess, DoesNotCountTheTimeOfOthers)
 {
   const OneBusyProcessor others(4);
@@ -174,15 +176,15 @@ TEST(ChildProcess, DoesNotCountTheTimeOfOthers)
   EXPECT_GT(seconds.count(), 0.4);
 }
 
-// What computes for longer than its processor time is ended.
-TEST(ChildProcess, EndsWhatComputesTooLong)
+// Work that computes too long is ended by the limit on processor time.
+TEST(ChildProcess, EndsWorkThatComputesTooLong)
 {
   const std::string end = EndOf(ByProcessor(0.2), [] { return Compute(HUGE_VAL); });
   EXPECT_EQ(end, "took longer than 0.2 s of processor time");
 }
 
-// What runs apart within it is paid for out of its processor time.
-TEST(ChildProcess, CountsTheTimeOfItsOwn)
+// The processor time of a nested child is charged to its parent.
+TEST(ChildProcess, ChargesNestedChildren)
 {
   const std::string end = EndOf(ByProcessor(0.5),
     []
@@ -196,8 +198,8 @@ TEST(ChildProcess, CountsTheTimeOfItsOwn)
   EXPECT_EQ(end, "took longer than 0.5 s of processor time");
 }
 
-// What runs apart within it has no more processor time than is left, whatever its own limit.
-TEST(ChildProcess, GivesItsOwnNoMoreThanIsLeft)
+// A nested child gets no more than the rest of its parent's processor time, whatever its own limit.
+TEST(ChildProcess, LimitsNestedChildrenToTheRest)
 {
   for (const double limit : { 0.0, 1000.0 })
   {
@@ -211,8 +213,8 @@ TEST(ChildProcess, GivesItsOwnNoMoreThanIsLeft)
   }
 }
 
-// What runs apart within it may come to the end of its own processor time; the other goes on.
-TEST(ChildProcess, OutlivesALimitOfItsOwn)
+// A parent continues after the own limit of a nested child has ended that child.
+TEST(ChildProcess, OutlivesNestedChildren)
 {
   Messages messages;
   const std::string end = EndOf(ByProcessor(1000.0),
@@ -225,8 +227,8 @@ TEST(ChildProcess, OutlivesALimitOfItsOwn)
   EXPECT_EQ(messages.Get(), "took longer than 0.1 s of processor time\n");
 }
 
-// Limits hold although the host blocks or ignores the signals that enforce them, as threads of a pool do.
-TEST(ChildProcess, LimitsWhatIgnoresSignals)
+// Limits hold even if the host blocks or ignores the signals that enforce them, as thread pools do.
+TEST(ChildProcess, HoldsLimitsAgainstIgnoredSignals)
 {
   EXPECT_EQ(EndOf({},
               []
@@ -243,8 +245,8 @@ TEST(ChildProcess, LimitsWhatIgnoresSignals)
     "");
 }
 
-#ifndef __SANITIZE_ADDRESS__ // which reserves more address space than any limit
-// What wants more memory than it may have fails, and this is said.
+#ifndef __SANITIZE_ADDRESS__ // the sanitizer reserves more address space than any limit
+// Work that exceeds the limit on memory fails with a message.
 TEST(ChildProcess, LimitsMemory)
 {
   const std::string end = EndOf(ByMemory(256.0),
@@ -257,20 +259,20 @@ TEST(ChildProcess, LimitsMemory)
 }
 #endif
 
-// An end by a limit, the machine's too, is told from any other.
-TEST(ChildProcess, TellsLimitsFromOtherEnds)
+// An end by a limit, even by one of the machine, is distinguished from other failures.
+TEST(ChildProcess, DistinguishesLimitsFromOtherEnds)
 {
   const auto dieOf = [](int signal) { return [signal] { return std::raise(signal) != 0; }; };
   EXPECT_TRUE(RunInChildProcess(ByClock(0.01), &Hang).ByLimit);
   EXPECT_TRUE(RunInChildProcess(ByProcessor(0.01), [] { return Compute(HUGE_VAL); }).ByLimit);
   EXPECT_TRUE(RunInChildProcess({}, []() -> bool { throw std::bad_alloc(); }).ByLimit);
   EXPECT_TRUE(
-    RunInChildProcess({}, dieOf(SIGKILL)).ByLimit); // as the system does where memory runs out
+    RunInChildProcess({}, dieOf(SIGKILL)).ByLimit); // the system's signal when memory runs out
   EXPECT_FALSE(RunInChildProcess({}, dieOf(SIGSEGV)).ByLimit);
   EXPECT_FALSE(RunInChildProcess({}, [] { return false; }).ByLimit);
 }
 
-// Processes that run apart can run others apart, whose messages arrive here too.
+// Messages of nested children arrive, too.
 TEST(ChildProcess, CanBeNested)
 {
   Messages messages;

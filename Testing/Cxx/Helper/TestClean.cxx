@@ -7,8 +7,9 @@
 #include <cmath>
 
 using namespace carving;
+using namespace carving::helper;
 
-// Equal points become one, the first, and triangles follow.
+// Equal points are merged into the first of them.
 TEST(Clean, MergesEqualPoints)
 {
   const ResolvedMesh mesh = Clean(
@@ -19,7 +20,7 @@ TEST(Clean, MergesEqualPoints)
   EXPECT_EQ(mesh.Facets, (std::vector<Triangle>{ { 0, 1, 2 }, { 2, 1, 3 } }));
 }
 
-// Zero and minus zero are the same coordinate.
+// Zero and negative zero are equal coordinates.
 TEST(Clean, TakesMinusZeroForZero)
 {
   const ResolvedMesh mesh =
@@ -36,7 +37,7 @@ TEST(Clean, DropsUnusedPoints)
   EXPECT_EQ(mesh.PointSources, (std::vector<int>{ 1, 2, 3 }));
 }
 
-// Triangles with two equal corners or three on a line, even a skew one, have no area.
+// Triangles with equal or collinear corners are dropped, even along a skew line.
 TEST(Clean, DropsTrianglesWithoutArea)
 {
   const ResolvedMesh mesh =
@@ -45,7 +46,7 @@ TEST(Clean, DropsTrianglesWithoutArea)
   EXPECT_EQ(mesh.FacetSources, std::vector<int>{ 2 });
 }
 
-// The smallest deviation from a line that a double can hold is an area.
+// A triangle with the smallest area that doubles can represent is kept.
 TEST(Clean, KeepsTheThinnestTriangle)
 {
   const double above = std::nextafter(0.5, 1.0);
@@ -54,7 +55,7 @@ TEST(Clean, KeepsTheThinnestTriangle)
     1u);
 }
 
-// Equal triangles become one that keeps their signed sum and their number.
+// Equal triangles are merged and their multiplicities added.
 TEST(Clean, MergesEqualTriangles)
 {
   const ResolvedMesh mesh = Clean(AsResolved({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
@@ -65,7 +66,7 @@ TEST(Clean, MergesEqualTriangles)
   EXPECT_EQ(mesh.FacetSources, std::vector<int>{ 0 });
 }
 
-// The side that two glued boxes share has no winding left, but is still there.
+// Coinciding triangles of opposite orientation stay, with the signed multiplicity 0.
 TEST(Clean, KeepsTheSideBetweenGluedBoxes)
 {
   const ResolvedMesh mesh = Clean(AsResolved(models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }),
@@ -75,7 +76,7 @@ TEST(Clean, KeepsTheSideBetweenGluedBoxes)
   EXPECT_EQ(mesh.Multiplicities, std::vector<int>(12, 2));
 }
 
-// A clean mesh stays as it is.
+// Cleaning a clean mesh changes nothing.
 TEST(Clean, LeavesACleanMeshAlone)
 {
   const ResolvedMesh once = Clean(AsResolved(models::Torus(1.0, 0.4, 9, 6)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Enclosing mode: what holds for any soup.
+ * Enclosing mode: the properties that hold for any triangle soup.
  */
 #include "Checks.h"
 #include "Core/Measure/LevelSelection.h"
@@ -42,7 +42,7 @@ int NumberOfRandomSoups()
   return number ? std::atoi(number) : 40;
 }
 
-/** What bounds K, without folds, and with them. */
+/** The triangles that bound K without the folds, and all triangles. */
 void GetTriangles(const Level<3>& level, std::vector<Triangle>& shell, std::vector<Triangle>& all)
 {
   for (const FaceLife<3>& face : level.Faces)
@@ -67,7 +67,51 @@ double DistanceToPlanes(
   return least;
 }
 
-/** Every level encloses the soup, does not cross itself, is a manifold and within the one before. */
+/** Expects that a level contains the corners and centroids of the given triangles. */
+void ExpectToEnclose(const TriangleMesh& given, const ResolvedMesh& surface, const Level<3>& level,
+  const std::vector<Triangle>& shell, const std::vector<Triangle>& all)
+{
+  const std::vector<Point>& points = surface.Points;
+  std::vector<char> used(given.Points.size(), 0);
+  for (const Triangle& t : given.Triangles)
+  {
+    const Point &a = given.Points[t[0]], &b = given.Points[t[1]], &c = given.Points[t[2]];
+    if (Length(Cross(b - a, c - a)) == 0.0)
+    {
+      continue; // without area: dropped from M
+    }
+    Point centroid = {};
+    for (const int corner : t)
+    {
+      used[corner] = 1;
+      for (int i = 0; i < 3; ++i)
+      {
+        centroid[i] += given.Points[corner][i] / 3.0;
+      }
+    }
+    // A centroid on the surface may be outside by a rounding.
+    EXPECT_TRUE(
+      checks::Encloses(points, shell, centroid) || DistanceToPlanes(points, all, centroid) < 1e-12);
+  }
+  std::set<int> onLevel;
+  for (const FaceLife<3>& face : level.Faces)
+  {
+    onLevel.insert(face.Corners.begin(), face.Corners.end());
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const int source = surface.PointSources[i];
+    if (source >= 0 && used[source])
+    {
+      EXPECT_TRUE(onLevel.count(static_cast<int>(i)) || checks::Encloses(points, shell, points[i]));
+    }
+  }
+}
+
+/**
+ * Expects that every level encloses the soup, is a manifold without crossings, and has no more
+ * volume than the one before.
+ */
 void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
 {
   const std::vector<Point>& points = carved.Mesh.Surface.Points;
@@ -85,47 +129,13 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
     EXPECT_LE(newVolume, volume);
     volume = newVolume;
     ExpectTopology(carved, step);
-    std::set<int> ofFolds;
-    for (const FaceLife<3>& face : level.Faces)
-    {
-      ofFolds.insert(face.Corners.begin(), face.Corners.end());
-    }
-    std::vector<char> used(given.Points.size(), 0);
-    for (const Triangle& t : given.Triangles)
-    {
-      const Point &a = given.Points[t[0]], &b = given.Points[t[1]], &c = given.Points[t[2]];
-      if (Length(Cross(b - a, c - a)) == 0.0)
-      {
-        continue; // without area: not of M
-      }
-      Point middle = {};
-      for (const int corner : t)
-      {
-        used[corner] = 1;
-        for (int i = 0; i < 3; ++i)
-        {
-          middle[i] += given.Points[corner][i] / 3.0;
-        }
-      }
-      // The middle is rounded: one that lies on the surface may be beyond it by that.
-      EXPECT_TRUE(
-        checks::Encloses(points, shell, middle) || DistanceToPlanes(points, all, middle) < 1e-12);
-    }
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const int source = carved.Mesh.Surface.PointSources[i];
-      if (source >= 0 && used[source])
-      {
-        EXPECT_TRUE(
-          ofFolds.count(static_cast<int>(i)) || checks::Encloses(points, shell, points[i]));
-      }
-    }
+    ExpectToEnclose(given, carved.Mesh.Surface, level, shell, all);
   }
 }
 
 } // namespace
 
-// Whatever crosses whatever, levels enclose it and do not cross themselves.
+// Levels enclose any soup and do not cross themselves.
 TEST(Enclose, EnclosesRandomSoups)
 {
   std::mt19937_64 random(7);
@@ -144,7 +154,7 @@ TEST(Enclose, EnclosesRandomSoups)
   }
 }
 
-// So they do for solids and sheets that overlap, touch and are glued.
+// Levels enclose solids and sheets that overlap, touch or are glued.
 TEST(Enclose, EnclosesRandomMeshes)
 {
   std::mt19937_64 random(8);
@@ -159,8 +169,8 @@ TEST(Enclose, EnclosesRandomMeshes)
   }
 }
 
-// The diagonals of a cube's sides are none of Delaunay's business: nothing of it is carved, and nothing
-// kept. Between two cubes everything is.
+// A cube is met exactly although Delaunay faces use other diagonals of its sides: nothing is kept,
+// and everything between two cubes is carved.
 TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
 {
   const TriangleMesh mesh =
@@ -179,7 +189,7 @@ TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
   EXPECT_EQ(carved.Profile.Components.back(), 2);
 }
 
-// What a crossing triangle pierces is on no level carved away, and has no priority.
+// Pierced tetrahedra are never carved and have no priority.
 TEST(Enclose, KeepsWhatIsPierced)
 {
   TriangleMesh mesh = models::Sheet(1);
@@ -201,8 +211,8 @@ TEST(Enclose, KeepsWhatIsPierced)
   EXPECT_GT(kept, 0);
 }
 
-// Box in box: by winding all of it is solid, by parity the inner one is hollow, and by the surface alone
-// everything is.
+// The rule decides what is solid of a box inside a box: both boxes, the space between them, or
+// nothing.
 TEST(Enclose, KnowsSolidsByEveryRule)
 {
   const HelperRun run = RunEnclosing(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Streams do what the paper's figures show.
+ * Streams show the behavior of the paper's figures.
  */
 #include "Figures.h"
 #include "HelperRun.h"
@@ -25,7 +25,7 @@ Profile MakeProfile(const TriangleMesh& given, double depthExponent)
   return CarveResult(run.Reply.Result, options).Profile;
 }
 
-/** The share of steps with one component and so many tunnels. */
+/** The share of steps with one component and the given number of tunnels. */
 double ShareOfSteps(const Profile& profile, int tunnels)
 {
   int steps = 0;
@@ -38,7 +38,8 @@ double ShareOfSteps(const Profile& profile, int tunnels)
 
 } // namespace
 
-// Figure 4: two spheres are one component until they split, and two from then on; no tunnel opens.
+// Figure 4: two spheres are one component until they split into two; both ends of the stream have
+// no tunnel.
 TEST(Figures, TwoSpheresSplit)
 {
   const Profile profile = MakeProfile(models::TwoSpheres(), 0.0);
@@ -49,14 +50,15 @@ TEST(Figures, TwoSpheresSplit)
   EXPECT_EQ(profile.Tunnels.back(), 0);
 }
 
-// Figure 10 (b): without depth, eight spheres are carved through the cube's six sides first. A frame of
-// a cube, with 8 corners and 12 edges, has 12 - 8 + 1 = 5 tunnels.
+// Figure 10 (b): without depth, eight spheres are carved through the six sides of their cube first.
+// A frame of a cube, with 8 corners and 12 edges, has 12 - 8 + 1 = 5 tunnels.
 TEST(Figures, EightSpheresBecomeAFrameWithoutDepth)
 {
   EXPECT_GT(ShareOfSteps(MakeProfile(models::EightSpheres(), 0.0), 5), 0.5);
 }
 
-// Figure 10 (c): with dp = 2 carving advances evenly, and nearly no tunnel opens before the spheres split.
+// Figure 10 (c): with dp = 2 carving advances evenly, and hardly any tunnel opens before the
+// spheres split.
 TEST(Figures, EightSpheresStayWholeWithDepth)
 {
   EXPECT_GT(ShareOfSteps(MakeProfile(models::EightSpheres(), 2.0), 0), 0.85);

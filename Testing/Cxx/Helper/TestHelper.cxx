@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
 #include "RealMeshes.h"
 #include "Shapes.h"
@@ -11,32 +10,15 @@
 
 using namespace carving;
 
-namespace
-{
-
-double SixVolume(const Tetrahedralization& mesh)
-{
-  double sum = 0.0;
-  for (const auto& [a, b, c, d] : mesh.Cells)
-  {
-    const std::vector<Point>& p = mesh.Surface.Points;
-    const double volume = carving::SixVolume(p[a], p[b], p[c], p[d]);
-    EXPECT_GT(volume, 0.0);
-    sum += volume;
-  }
-  return sum;
-}
-
-} // namespace
-
-// The tetrahedra fill the convex hull, and each triangle of the input is a face of one or two.
+// The tetrahedra fill the convex hull, and each triangle of the input is a face of one or two of
+// them.
 TEST(Helper, FillsTheHull)
 {
   const TriangleMesh boxes =
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
   const HelperRun run = RunHelper(boxes);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  EXPECT_NEAR(SixVolume(run.Reply.Result), 6.0 * 3.0, 1e-12);
+  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * 3.0, 1e-12);
   std::vector<int> faces(run.Reply.Result.Surface.Facets.size(), 0);
   for (const auto& constraints : run.Reply.Result.Constraints)
   {
@@ -56,10 +38,10 @@ TEST(Helper, FillsTheHull)
   }
 }
 
-// Points of the input come first and unchanged; Steiner points follow and have no source.
+// Points of the input come first, unchanged; Steiner points follow and have no source.
 TEST(Helper, KeepsThePointsOfTheInput)
 {
-  // The Schoenhardt polyhedron cannot be tetrahedralized without a Steiner point.
+  // The Schönhardt polyhedron cannot be tetrahedralized without a Steiner point.
   TriangleMesh twisted;
   for (int i = 0; i < 6; ++i)
   {
@@ -86,7 +68,7 @@ TEST(Helper, KeepsThePointsOfTheInput)
   }
 }
 
-// Crossing solids are resolved first, and the pairs that crossed are counted.
+// Crossing solids are resolved first, and their intersecting pairs are counted.
 TEST(Helper, ResolvesAndCountsIntersections)
 {
   const TriangleMesh mesh =
@@ -98,7 +80,7 @@ TEST(Helper, ResolvesAndCountsIntersections)
     run.Reply.IntersectingPairs);
 }
 
-// So many pairs of the bones cross each other as a count by other means, with exact predicates, finds.
+// The number of intersecting pairs of the bones agrees with an independent, exact count.
 TEST(Helper, CountsTheIntersectionsOfBones)
 {
   const TriangleMesh mesh = ReadRealMesh("bones.off");
@@ -107,8 +89,7 @@ TEST(Helper, CountsTheIntersectionsOfBones)
   EXPECT_GT(pairs, 100);
 }
 
-// In a box grown by a hundredth of its diagonal, the tetrahedra fill that, and even a flat mesh has a
-// volume to carve.
+// The tetrahedra fill a bounding box grown by a hundredth of its diagonal, even around a flat mesh.
 TEST(Helper, FillsAGrownBox)
 {
   const double margin = 0.01 * std::sqrt(3.0);
@@ -122,7 +103,7 @@ TEST(Helper, FillsAGrownBox)
   job.Mesh = models::Joined(job.Mesh, models::Box({ 0, 0, 0 }, { 1, 1, 1 }));
   const HelperRun run = RunHelper(job);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  EXPECT_NEAR(SixVolume(run.Reply.Result), 6.0 * std::pow(1.0 + 2.0 * margin, 3), 1e-9);
+  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * std::pow(1.0 + 2.0 * margin, 3), 1e-9);
 
   job.Mesh = models::Sheet(2);
   const HelperRun flat = RunHelper(job);
@@ -130,7 +111,7 @@ TEST(Helper, FillsAGrownBox)
   EXPECT_EQ(flat.Reply.Result.Surface.Points.size(), 9u + 8u);
 }
 
-// Counting intersections of a mesh that has none gives 0.
+// A clean mesh has no intersections.
 TEST(Helper, CountsNoIntersectionsInACleanMesh)
 {
   const HelperRun run = RunHelper(models::Sphere(2), JobKind::CountIntersections);
@@ -138,7 +119,7 @@ TEST(Helper, CountsNoIntersectionsInACleanMesh)
   EXPECT_EQ(run.Reply.IntersectingPairs, 0);
 }
 
-// A flat mesh has no volume to tetrahedralize; the helper says so.
+// A flat mesh is refused with a message: it has no volume to tetrahedralize.
 TEST(Helper, RefusesAFlatMesh)
 {
   const HelperRun run = RunHelper(models::Sheet(3));
@@ -146,7 +127,7 @@ TEST(Helper, RefusesAFlatMesh)
   EXPECT_NE(run.Reply.Error.find("plane"), std::string::npos);
 }
 
-// A mesh all of whose triangles are degenerate has nothing left after cleaning; the helper says so.
+// A mesh of degenerate triangles is refused with a message: nothing remains after cleaning.
 TEST(Helper, RefusesAMeshWithoutArea)
 {
   const HelperRun run = RunHelper({ { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } } });
@@ -154,7 +135,7 @@ TEST(Helper, RefusesAMeshWithoutArea)
   EXPECT_NE(run.Reply.Error.find("area"), std::string::npos);
 }
 
-// Fed with garbage, with half a job or with nothing, the helper answers nothing and exits with 2.
+// Given garbage, half a job or nothing, the helper writes nothing and exits with 2.
 TEST(Helper, RefusesGarbage)
 {
   for (const char* garbage : { "", "garbage", "CARVJOB2", "CARVJOB2\1\1\1\1\377\377\377\377" })

@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 using namespace carving;
+using namespace carving::helper;
 
-// All tetrahedra fill the hull; where one is missing or there twice they do not.
+// All tetrahedra fill the hull; with one missing or duplicated they do not.
 TEST(Hull, IsFilledByAllTetrahedra)
 {
   Job job;

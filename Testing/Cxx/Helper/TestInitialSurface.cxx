@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -25,25 +26,9 @@ HelperRun RunWithin(const TriangleMesh& mesh, const TriangleMesh& initial)
   return RunHelper(job);
 }
 
-/** Six times the volume of all tetrahedra. */
-double SixVolumeOfCells(const Tetrahedralization& mesh)
-{
-  double sum = 0.0;
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    std::vector<Triangle> faces;
-    for (int f = 0; f < 4; ++f)
-    {
-      faces.push_back(mesh.OutwardFace(static_cast<int>(cell), f));
-    }
-    sum += checks::SixVolume(mesh.Surface.Points, faces);
-  }
-  return sum;
-}
-
 } // namespace
 
-// Each check that fails is named, and no other.
+// The message names each check that fails, and no other.
 TEST(InitialSurface, NamesEachCheckThatFails)
 {
   TriangleMesh open = BigBox();
@@ -69,19 +54,19 @@ TEST(InitialSurface, NamesEachCheckThatFails)
   EXPECT_EQ(CheckInitialSurface(BigBox()), "");
 }
 
-// The tetrahedra fill the given mesh, and M's triangles are all that constrains them.
+// The tetrahedra fill the given C0, and only triangles of M constrain them.
 TEST(InitialSurface, IsFilled)
 {
   const HelperRun run = RunWithin(models::Sphere(1), BigBox());
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 6.0 * 216.0, 1e-9);
+  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * 216.0, 1e-9);
   EXPECT_EQ(run.Reply.Result.Surface.Facets.size(), models::Sphere(1).Triangles.size());
 }
 
-// Where it is not convex, nothing between it and its hull is filled.
+// A nonconvex C0 is filled, but not the space between it and its hull.
 TEST(InitialSurface, NeedNotBeConvex)
 {
-  // A box with its upper side drawn in to a point.
+  // A box whose upper side is dented to a point.
   TriangleMesh dented;
   for (int i = 0; i < 8; ++i)
   {
@@ -93,17 +78,17 @@ TEST(InitialSurface, NeedNotBeConvex)
     { 6, 4, 8 } };
   const HelperRun run = RunWithin(models::Sphere(1), dented);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  // The pyramid that is missing has the base 6 x 6 and the height 1.5.
-  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 6.0 * (216.0 - 36.0 * 1.5 / 3.0), 1e-9);
+  // The missing pyramid has the base 6 x 6 and the height 1.5.
+  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * (216.0 - 36.0 * 1.5 / 3.0), 1e-9);
 }
 
-// It may touch the input; what lies on both belongs to the input.
+// C0 may touch the input; triangles on both belong to the input.
 TEST(InitialSurface, MayTouchTheInput)
 {
   const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
   const HelperRun run = RunWithin(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 }));
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_NEAR(SixVolumeOfCells(run.Reply.Result), 12.0, 1e-12);
+  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 12.0, 1e-12);
   for (const int count : run.Reply.Result.Surface.Multiplicities)
   {
     EXPECT_EQ(count, 1);
@@ -111,7 +96,7 @@ TEST(InitialSurface, MayTouchTheInput)
   EXPECT_EQ(run.Reply.IntersectingPairs, 0);
 }
 
-// An input that sticks out or lies outside is refused.
+// An input that is not inside C0 is refused.
 TEST(InitialSurface, MustContainTheInput)
 {
   for (const double shift : { 2.5, 10.0 })

@@ -14,11 +14,12 @@
 #include <set>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
 
-/** The triangles between solid and what is not, by coordinates, with the solid behind them. */
+/** The triangles that bound the solid, by coordinates, with the solid behind them. */
 std::set<std::array<Point, 3>> BoundaryOfSolid(const ResolvedMesh& surface, SolidRule rule)
 {
   Tetrahedralization mesh;
@@ -56,15 +57,15 @@ TriangleMesh OverlappingBoxes()
 
 } // namespace
 
-// What two boxes have in common loses its walls by the one rule, and keeps them by the others.
-TEST(Interior, IsWhatHasSolidOnBothSides)
+// The walls inside two overlapping boxes are dropped by the nonzero rule only.
+TEST(Interior, HasSolidOnBothSides)
 {
   const ResolvedMesh whole = Resolved(OverlappingBoxes());
   ResolvedMesh mesh = whole;
   EXPECT_GT(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
   EXPECT_LT(mesh.Facets.size(), whole.Facets.size());
   EXPECT_EQ(
-    mesh.Points.size(), 7u + 7u + 6u); // each loses a corner; six points where edges pass sides
+    mesh.Points.size(), 7u + 7u + 6u); // each box loses a corner; edges cross sides at six points
   for (const SolidRule rule : { SolidRule::EvenOdd, SolidRule::SurfaceOnly })
   {
     mesh = whole;
@@ -73,7 +74,7 @@ TEST(Interior, IsWhatHasSolidOnBothSides)
   }
 }
 
-// What is solid stays so, by every rule, for parts that overlap, are nested, glued or inside out.
+// The solid of overlapping, nested, glued and inverted boxes is unchanged, by every rule.
 TEST(Interior, LeavesTheSolidAsItIs)
 {
   std::mt19937_64 random(1);
@@ -100,7 +101,7 @@ TEST(Interior, LeavesTheSolidAsItIs)
   EXPECT_GT(dropped, 100);
 }
 
-// An open mesh is left alone.
+// An open mesh is unchanged.
 TEST(Interior, IsUnknownOfOpenMeshes)
 {
   TriangleMesh open = OverlappingBoxes();
@@ -109,8 +110,9 @@ TEST(Interior, IsUnknownOfOpenMeshes)
   EXPECT_EQ(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
 }
 
-// Where TetGen refuses the whole, the ladder leaves out the interior, if the job says what is solid.
-TEST(Interior, IsLeftOutWhereTetGenRefusesTheWhole)
+// Where TetGen fails on the whole mesh, it is tried without the interior, if the job says what is
+// solid.
+TEST(Interior, IsDroppedWhereTetGenFailsOnTheWhole)
 {
   std::mt19937_64 random(2);
   Job job;

@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+using namespace carving::helper;
+
 namespace
 {
 
@@ -18,7 +20,9 @@ Rational::Point_3 ToRational(const Inexact::Point_3& p)
   return { p.x(), p.y(), p.z() };
 }
 
-/** Whether the part of a triangle in a tetrahedron, clipped with rational numbers, has an inner point. */
+/**
+ * Whether a triangle, clipped by a tetrahedron in rational numbers, has a point in its interior.
+ */
 bool PiercesByClipping(const Corners3& triangle, const Corners4& k)
 {
   std::vector<Rational::Point_3> polygon;
@@ -84,32 +88,32 @@ const Corners4 Corner = { Inexact::Point_3(0, 0, 0), Inexact::Point_3(4, 0, 0),
 
 } // namespace
 
-// A triangle that cuts through pierces, from wherever it comes.
-TEST(Piercer, PiercesWhatItCutsThrough)
+// A triangle that reaches the interior pierces the tetrahedron.
+TEST(Piercer, PiercesWhereItReachesTheInterior)
 {
   EXPECT_TRUE(Pierces({ Inexact::Point_3(1, 1, -5), { 1, 1, 5 }, { -5, 1, 0 } }, Corner));
   EXPECT_TRUE(
     Pierces({ Inexact::Point_3(0.5, 0.5, 0.5), { 1, 0.5, 0.5 }, { 0.5, 1, 0.5 } }, Corner));
 }
 
-// A face, a part of one and a larger triangle in its plane do not.
-TEST(Piercer, PiercesNotByLyingOnAFace)
+// A triangle in the plane of a face does not pierce, whether smaller or larger than the face.
+TEST(Piercer, DoesNotPierceOnAFace)
 {
   EXPECT_FALSE(Pierces({ Corner[0], Corner[1], Corner[2] }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(1, 1, 0), { 2, 1, 0 }, { 1, 2, 0 } }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(-9, -9, 0), { 20, -9, 0 }, { 0, 20, 0 } }, Corner));
 }
 
-// Touching in a corner or an edge from outside does not.
-TEST(Piercer, PiercesNotByTouching)
+// A triangle that touches a corner or an edge from outside does not pierce.
+TEST(Piercer, DoesNotPierceByTouching)
 {
   EXPECT_FALSE(Pierces({ Inexact::Point_3(0, 0, 0), { -1, 0, 0 }, { 0, -1, 0 } }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(0, 0, -1), { 0, 0, 5 }, { -1, -1, 2 } }, Corner));
   EXPECT_FALSE(Pierces({ Inexact::Point_3(2, 2, 0), { 3, 3, 1 }, { 3, 3, -1 } }, Corner));
 }
 
-// On small integers, where touching and lying in one plane are common, it agrees with clipping in
-// rational numbers.
+// The result agrees with clipping in rational numbers on small integers, which are often
+// degenerate.
 TEST(Piercer, AgreesWithClippingOnRandomIntegers)
 {
   std::mt19937 random(11);
@@ -135,20 +139,19 @@ TEST(Piercer, AgreesWithClippingOnRandomIntegers)
   EXPECT_LT(pierced, 18000);
 }
 
-// Triangles in one plane overlap if more than their boundaries meet.
-TEST(OverlapInPlane, IsMoreThanTouching)
+// Triangles in one plane overlap only if their interiors meet.
+TEST(CoplanarTriangles, OverlapOnlyInTheirInteriors)
 {
   const Corners3 triangle = { Inexact::Point_3(0, 0, 1), { 4, 0, 1 }, { 0, 4, 1 } };
-  EXPECT_TRUE(OverlapInPlane(triangle, triangle));
-  EXPECT_TRUE(OverlapInPlane(triangle, { Inexact::Point_3(1, 1, 1), { 9, 9, 1 }, { 9, 8, 1 } }));
-  EXPECT_TRUE(OverlapInPlane(triangle, { Inexact::Point_3(1, 1, 1), { 1, 2, 1 }, { 2, 1, 1 } }));
-  EXPECT_FALSE(OverlapInPlane(triangle, { Inexact::Point_3(0, 0, 1), { 4, 0, 1 }, { 0, -4, 1 } }));
-  EXPECT_FALSE(OverlapInPlane(triangle, { Inexact::Point_3(2, 2, 1), { 4, 4, 1 }, { 4, 3, 1 } }));
-  EXPECT_FALSE(OverlapInPlane(triangle, { Inexact::Point_3(0, 0, 1), { 4, 0, 1 }, { 0, 4, 2 } }));
+  EXPECT_TRUE(Overlap(triangle, triangle));
+  EXPECT_TRUE(Overlap(triangle, { Inexact::Point_3(1, 1, 1), { 9, 9, 1 }, { 9, 8, 1 } }));
+  EXPECT_TRUE(Overlap(triangle, { Inexact::Point_3(1, 1, 1), { 1, 2, 1 }, { 2, 1, 1 } }));
+  EXPECT_FALSE(Overlap(triangle, { Inexact::Point_3(0, 0, 1), { 4, 0, 1 }, { 0, -4, 1 } }));
+  EXPECT_FALSE(Overlap(triangle, { Inexact::Point_3(2, 2, 1), { 4, 4, 1 }, { 4, 3, 1 } }));
 }
 
-// Turned over, a triangle faces the other way, whatever plane it is in.
-TEST(FaceAlike, TellsTheTwoSides)
+// A flipped triangle faces the other way, in every coordinate plane.
+TEST(CoplanarTriangles, FaceAlikeUnlessOneIsFlipped)
 {
   for (const Corners3& t : { Corners3{ Inexact::Point_3(0, 0, 0), { 1, 0, 0 }, { 0, 1, 0 } },
          Corners3{ Inexact::Point_3(0, 0, 0), { 0, 1, 0 }, { 0, 0, 1 } },

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What must hold for every stream, on random meshes and on real ones.
+ * The properties that must hold for every stream, on random and on real meshes.
  */
 #include "Checks.h"
 #include "HelperRun.h"
@@ -31,10 +31,10 @@ int NumberOfRandomMeshes()
   return number ? std::atoi(number) : 200;
 }
 
-/** Every property of a carving, drawn at random. */
+/** Random settings of a carving. */
 struct RandomOptions
 {
-  /** How many values each property has, and the one that was drawn. */
+  /** The number of values of each setting. */
   static constexpr std::array<int, 6> Counts = { 3, 3, 4, 3, 3, 2 };
   std::array<int, 6> Drawn;
 
@@ -57,7 +57,7 @@ struct RandomOptions
   CarveOptions Carve;
 };
 
-/** Which pairs of values of two properties have been tried. */
+/** The pairs of values of two settings that have been tried. */
 class TriedPairs
 {
 public:
@@ -89,7 +89,7 @@ private:
   std::set<std::tuple<std::size_t, int, std::size_t, int>> Pairs;
 };
 
-/** The bytes of a reply but for the seconds, which differ from run to run. */
+/** The bytes of a reply without the seconds, which differ between runs. */
 std::string BytesOf(Reply reply)
 {
   reply.StageSeconds.assign(NumberOfStages, 0.0);
@@ -111,9 +111,8 @@ class RealMesh : public testing::TestWithParam<const char*>
 
 } // namespace
 
-// Enclosure, monotony, the ends of the stream, exact vertices, manifolds and freedom from crossings hold on random
-// meshes (closed solids, open sheets, many components, overlapping ones) with random properties, every pair of values
-// among them.
+// The properties hold on random meshes (closed solids, open sheets, several components, overlapping
+// parts) with random settings, including every pair of values.
 TEST(Properties, HoldOnRandomMeshes)
 {
   std::mt19937_64 random(20061121);
@@ -132,7 +131,7 @@ TEST(Properties, HoldOnRandomMeshes)
     const HelperRun run = RunHelper(job);
     if (!run.Succeeded())
     {
-      // TetGen does not cope with every mesh; that it copes with nearly all is part of the test.
+      // TetGen fails on some meshes. The test bounds their number.
       std::printf("refused: mesh %d, exit code %d, %s\n", i, run.ExitCode, run.Reply.Error.c_str());
       ++refused;
       ASSERT_LE(refused, 1 + count / 50);
@@ -146,11 +145,11 @@ TEST(Properties, HoldOnRandomMeshes)
       ExpectSolid(model.Mesh, carved, options.Rule, random);
     }
   }
-  // Fewer draws may miss some.
+  // Fewer draws may miss some pairs.
   EXPECT_TRUE(pairs.AreAll() || count < 200);
 }
 
-// The same input gives the same tetrahedra and the same stream, bit for bit.
+// Equal input gives equal tetrahedra and an equal stream, bit for bit.
 TEST(Properties, AreDeterministic)
 {
   std::mt19937_64 random(3);
@@ -169,7 +168,7 @@ TEST(Properties, AreDeterministic)
   }
 }
 
-// A convex mesh is its own hull: there is no step, and its only level is itself.
+// A convex mesh is its own hull: its stream has no step, and its only level is the mesh.
 TEST(Properties, LeaveConvexMeshesAsTheyAre)
 {
   for (const TriangleMesh& mesh : { models::Tetrahedron(), models::Sphere(2),
@@ -183,7 +182,7 @@ TEST(Properties, LeaveConvexMeshesAsTheyAre)
   }
 }
 
-// The same properties hold on real meshes.
+// The properties hold on real meshes.
 TEST_P(RealMesh, HasTheProperties)
 {
   const TriangleMesh mesh = ReadRealMesh(GetParam());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Enclosing mode: how near its tightest level comes.
+ * Enclosing mode: the distance of the last level from the mesh.
  */
 #include "Checks.h"
 #include "Core/Carving/Priority.h"
@@ -29,7 +29,7 @@ HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance)
   return RunHelper(job);
 }
 
-/** The largest distance from a mesh of points drawn on the faces of what is kept. */
+/** The largest distance from a mesh of sample points on the exposed faces of kept tetrahedra. */
 double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
 {
   double farthest = 0.0;
@@ -61,7 +61,7 @@ double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
 
 } // namespace
 
-// What is kept of a soup reaches no farther than the tolerance, and the distance that is told is true.
+// Kept tetrahedra are within the tolerance, and the reported distance is correct.
 TEST(Refine, ReachesTheTolerance)
 {
   std::mt19937_64 random(11);
@@ -77,8 +77,7 @@ TEST(Refine, ReachesTheTolerance)
   }
 }
 
-// The smaller the tolerance, the more vertices are added; at 0 there are none, and the distance reached is
-// what samples say.
+// A smaller tolerance adds more vertices; the tolerance 0 adds none.
 TEST(Refine, AddsVerticesOnlyIfTold)
 {
   std::mt19937_64 random(12);
@@ -105,7 +104,7 @@ TEST(Refine, AddsVerticesOnlyIfTold)
   }
 }
 
-// A mesh whose triangles are all Delaunay faces needs no further vertex.
+// A mesh all of whose triangles are Delaunay faces gets no further vertex.
 TEST(Refine, AddsNothingToADelaunayMesh)
 {
   const HelperRun run = RunEnclosing(

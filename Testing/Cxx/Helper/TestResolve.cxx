@@ -10,6 +10,7 @@
 #include <random>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -24,7 +25,7 @@ double Area(const std::vector<Point>& points, const std::vector<Triangle>& trian
   return sum;
 }
 
-/** Triangles with small integer coordinates in the plane z = x + 2 y, many of which overlap. */
+/** Triangles with small integer coordinates in the plane z = x + 2 y; many of them overlap. */
 TriangleMesh RandomPatchwork(int count, std::mt19937_64& random)
 {
   TriangleMesh mesh;
@@ -42,7 +43,10 @@ TriangleMesh RandomPatchwork(int count, std::mt19937_64& random)
   return mesh;
 }
 
-/** How a triangle lies around a point of its plane, seen along z: 1 counter-clockwise, -1 clockwise. */
+/**
+ * 1 or -1 if a point lies in a triangle that is counter-clockwise or clockwise, seen along z; 0 if
+ * outside.
+ */
 int SignedCover(const TriangleMesh& mesh, const Triangle& t, const Point& p)
 {
   int positive = 0, negative = 0;
@@ -63,7 +67,7 @@ std::vector<std::pair<int, int>> Intersections(const TriangleMesh& mesh)
 
 } // namespace
 
-// Neighbors that share a corner or an edge do not intersect.
+// Sharing a corner or an edge is no intersection.
 TEST(FindIntersections, PassesOverNeighbors)
 {
   EXPECT_TRUE(Intersections(models::Sphere(2)).empty());
@@ -100,7 +104,7 @@ TEST(FindIntersections, FindsAFoldedPair)
                 .empty());
 }
 
-// Two triangles that share a corner and cross are found from either side.
+// Triangles that share a corner and cross are found in either order.
 TEST(FindIntersections, FindsACrossingBesideASharedCorner)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 },
@@ -109,7 +113,7 @@ TEST(FindIntersections, FindsACrossingBesideASharedCorner)
   EXPECT_EQ(Intersections({ points, { { 0, 3, 4 }, { 0, 1, 2 } } }).size(), 1u);
 }
 
-// A mesh without intersections stays as it is.
+// Resolving a mesh without intersections changes nothing.
 TEST(Resolve, LeavesACleanMeshAlone)
 {
   const TriangleMesh given = models::Torus(1.0, 0.4, 9, 6);
@@ -118,7 +122,7 @@ TEST(Resolve, LeavesACleanMeshAlone)
   EXPECT_EQ(mesh.Facets, given.Triangles);
 }
 
-// Two squares that cross in the middle get a common edge there, and lose no area.
+// Crossing squares get a common edge and lose no area.
 TEST(Resolve, SplitsCrossingSquares)
 {
   const TriangleMesh flat = models::Sheet(1);
@@ -133,8 +137,8 @@ TEST(Resolve, SplitsCrossingSquares)
     static_cast<long>(mesh.Points.size()) - 8);
 }
 
-// Pieces keep the orientation, the source and the winding of the triangle that they are of: the
-// union of two crossing solids is closed and has winding numbers 0, 1 and 2.
+// Pieces keep the orientation and multiplicity of their triangle: two crossing solids stay closed
+// and have the winding numbers 0, 1 and 2.
 TEST(Resolve, KeepsOrientationAndWinding)
 {
   const ResolvedMesh mesh = Resolved(
@@ -145,7 +149,7 @@ TEST(Resolve, KeepsOrientationAndWinding)
   EXPECT_NEAR(WindingNumber(mesh, { 5, 0, 0 }), 0.0, 1e-9);
 }
 
-// Where coplanar sides overlap, the common part is there once and counts twice.
+// Coplanar overlapping triangles share one common part, whose multiplicity is 2.
 TEST(Resolve, MergesCoplanarOverlaps)
 {
   const ResolvedMesh mesh = Resolved(
@@ -163,7 +167,7 @@ TEST(Resolve, MergesCoplanarOverlaps)
   EXPECT_TRUE(IsClosed(mesh));
 }
 
-// A corner on an edge of another triangle splits that edge: no T-junction is left.
+// A corner on an edge of another triangle splits that edge, so that no T-junction remains.
 TEST(Resolve, SplitsEdgesAtTJunctions)
 {
   const ResolvedMesh mesh = Resolved(
@@ -173,7 +177,7 @@ TEST(Resolve, SplitsEdgesAtTJunctions)
   EXPECT_EQ(mesh.Points.size(), 6u);
 }
 
-// Many triangles through one segment share it in the end.
+// Many triangles through nearly one line are resolved.
 TEST(Resolve, CopesWithManyTrianglesThroughOneLine)
 {
   TriangleMesh fan;
@@ -190,8 +194,7 @@ TEST(Resolve, CopesWithManyTrianglesThroughOneLine)
   Resolved(fan);
 }
 
-// However many triangles of a plane overlap, what is left of them knows how many there were and on which
-// side each was, and nothing of them is lost.
+// The pieces of overlapping coplanar triangles cover them exactly, with the right multiplicities.
 TEST(Resolve, CountsTrianglesThatCoverEachOther)
 {
   std::mt19937_64 random(13);
@@ -227,7 +230,7 @@ TEST(Resolve, CountsTrianglesThatCoverEachOther)
   }
 }
 
-// What crosses a stack of triangles is cut where they begin and end, and they along it.
+// Triangles that cross a stack of coplanar triangles are resolved with the stack and lose no area.
 TEST(Resolve, CutsWhatCrossesAPatchwork)
 {
   std::mt19937_64 random(14);

@@ -13,6 +13,7 @@
 #include <random>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -25,7 +26,7 @@ bool OnGrid(const Point& p)
     [](double coordinate) { return coordinate / Spacing == std::floor(coordinate / Spacing); });
 }
 
-/** The farthest that a point of the mesh is from where its source has been given. */
+/** The largest distance between a point of the mesh and its source. */
 double FarthestMove(const TriangleMesh& given, const ResolvedMesh& mesh)
 {
   double farthest = 0.0;
@@ -41,7 +42,7 @@ double FarthestMove(const TriangleMesh& given, const ResolvedMesh& mesh)
 
 } // namespace
 
-// On its grid no point moves farther than the tolerance, on one of twice the spacing some could.
+// The spacing is the largest power of two at which no point moves farther than the tolerance.
 TEST(Snap, UsesTheWidestGridForATolerance)
 {
   for (const double tolerance : { 1e-9, 0.3, 1.0, 866.1 })
@@ -54,7 +55,8 @@ TEST(Snap, UsesTheWidestGridForATolerance)
   }
 }
 
-// Whatever crosses is resolved, all points are on the grid, and the distance counts every point's move.
+// Snapping leaves no crossing, all points are on the grid, and the distance bounds every point's
+// move.
 TEST(Snap, ResolvesRandomMeshesOnTheGrid)
 {
   std::mt19937_64 random(1);
@@ -78,7 +80,8 @@ TEST(Snap, ResolvesRandomMeshesOnTheGrid)
   EXPECT_GT(movedMeshes, 20);
 }
 
-// A point in the middle of a cube of the grid moves by half its diagonal; one on the grid stays.
+// Points move to the nearest grid point: by half a diagonal from the middle of a grid cube, by 0
+// from the grid.
 TEST(Snap, MovesPointsToTheNearestOfTheGrid)
 {
   TriangleMesh given = models::Tetrahedron();
@@ -101,7 +104,7 @@ TEST(Snap, MovesPointsToTheNearestOfTheGrid)
   EXPECT_DOUBLE_EQ(snapped.Distance, Spacing * std::sqrt(3.0) / 2.0);
 }
 
-// Two surfaces that differ by less than the grid become one, whose triangles count twice.
+// Surfaces that differ by less than the grid are merged and their multiplicities added.
 TEST(Snap, MergesWhatNearlyCoincides)
 {
   TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
@@ -114,7 +117,7 @@ TEST(Snap, MergesWhatNearlyCoincides)
   EXPECT_EQ(snapped.IntersectingPairs, 0);
 }
 
-// With too many intersections nothing is resolved, and why is said.
+// With too many intersections, nothing is resolved, and the message says why.
 TEST(Snap, EndsWhereThereIsTooMuchToResolve)
 {
   std::mt19937_64 random(2);

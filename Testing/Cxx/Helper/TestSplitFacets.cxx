@@ -7,11 +7,14 @@
 #include <random>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
 
-/** Two triangles with a common edge, and a point on it and one within the first. */
+/**
+ * Two triangles with a common edge, a point on that edge, and a point inside the first triangle.
+ */
 ResolvedMesh TwoTriangles()
 {
   ResolvedMesh mesh;
@@ -24,7 +27,7 @@ ResolvedMesh TwoTriangles()
   return mesh;
 }
 
-/** All that they are split into at these points, some of them the other way round. */
+/** Both triangles, split at these points; some parts are flipped. */
 std::vector<FacetPart> PartsOfBoth()
 {
   return { { { 0, 4, 5 }, 0 }, { { 4, 5, 1 }, 0 }, { { 1, 2, 5 }, 0 }, { { 2, 0, 5 }, 0 },
@@ -33,7 +36,7 @@ std::vector<FacetPart> PartsOfBoth()
 
 } // namespace
 
-// Parts face as their triangle does, whatever way they come, and know what it came from.
+// Parts get the orientation, source and multiplicities of their triangle.
 TEST(SplitFacets, TakeTheFacetsPlace)
 {
   ResolvedMesh mesh = TwoTriangles();
@@ -54,8 +57,8 @@ TEST(SplitFacets, TakeTheFacetsPlace)
   EXPECT_EQ(mesh.PointSources, TwoTriangles().PointSources);
 }
 
-// A triangle of which a part is missing, or that is covered twice, is noticed.
-TEST(SplitFacets, NoticeWhatIsMissing)
+// Missing and duplicate parts are detected.
+TEST(SplitFacets, DetectMissingParts)
 {
   for (std::size_t missing = 0; missing < PartsOfBoth().size(); ++missing)
   {
@@ -71,8 +74,8 @@ TEST(SplitFacets, NoticeWhatIsMissing)
   }
 }
 
-// So is a part that lies in another plane.
-TEST(SplitFacets, NoticeAnotherPlane)
+// A part in another plane is detected.
+TEST(SplitFacets, DetectAnotherPlane)
 {
   ResolvedMesh mesh = TwoTriangles();
   mesh.Points[5][2] += 1e-6;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
 #include "Core/Mesh/Adjacency.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Attempts/Log.h"
@@ -18,6 +19,7 @@
 #include <unistd.h>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -32,30 +34,33 @@ HelperRun RunWith(const TriangleMesh& mesh, Conformity conformity, double timeLi
   return RunHelper(job);
 }
 
-/** TetGen refuses it in any order unless it may put points on the surface. */
-TriangleMesh Refused()
+/** TetGen fails on it in every order unless it may add points on the surface. */
+TriangleMesh NeedsSplitting()
 {
   std::mt19937_64 random(1);
   return models::Soup(60, random);
 }
 
-/** With that it takes many times its patience for this one. */
-TriangleMesh RefusedAnyway()
+/** TetGen fails on it even so: it takes many times its limit of time. */
+TriangleMesh NeedsEnclosing()
 {
   std::mt19937_64 random(2);
   return models::Soup(140, random);
 }
 constexpr double Patience = 0.5;
 
-/** So near to itself that rounding crossings to doubles makes others, again and again. */
-TriangleMesh RefusedUnlessSnapped()
+/** Two surfaces so close that rounding crossings to doubles creates others, again and again. */
+TriangleMesh NeedsSnapping()
 {
   std::mt19937_64 random(1);
   return models::Doubled(models::Sphere(1), 1e-13, random);
 }
 
-/** Climbs with a sphere of 80 triangles that TetGen does at once; a line of what is written in the end. */
-std::string Climb(double timeLimit, const std::function<std::string(const Reply&)>& describe)
+/**
+ * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time. Returns what
+ * `describe` returns for the reply that is written.
+ */
+std::string TryOnSphere(double timeLimit, const std::function<std::string(const Reply&)>& describe)
 {
   Job job;
   job.Mesh = models::Sphere(1);
@@ -76,8 +81,8 @@ std::string Climb(double timeLimit, const std::function<std::string(const Reply&
 
 } // namespace
 
-// What TetGen copes with is tetrahedralized by it, exactly.
-TEST(Strategies, EndsAtTheFirstRungWhereItCan)
+// The first strategy that succeeds is the last one tried.
+TEST(Strategies, EndAtTheFirstSuccess)
 {
   for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
   {
@@ -89,14 +94,15 @@ TEST(Strategies, EndsAtTheFirstRungWhereItCan)
   }
 }
 
-// What it refuses otherwise has points put on its triangles; they stay the same surface, all of faces.
-TEST(Strategies, SplitsTrianglesWhereItHasTo)
+// Where TetGen fails otherwise, points are added on triangles, whose parts are faces and cover the
+// same surface.
+TEST(Strategies, SplitTrianglesIfNecessary)
 {
-  const HelperRun run = RunWith(Refused(), Conformity::Exact);
+  const HelperRun run = RunWith(NeedsSplitting(), Conformity::Exact);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   EXPECT_EQ(run.Reply.Strategy.find("TetGen -pcM"), 0u) << run.Reply.Strategy;
-  EXPECT_EQ(run.Reply.Limits, ""); // no higher one would have been of use
-  // The last of the six orders that the documentation of Conformity promises, counted from 0.
+  EXPECT_EQ(run.Reply.Limits, ""); // a higher limit would not have helped
+  // The last of the six orders that the documentation of Conformity states, counted from 0.
   EXPECT_NE(run.Reply.Attempts.find("order 5"), std::string::npos);
   const Tetrahedralization& result = run.Reply.Result;
   EXPECT_TRUE(result.Kept.empty());
@@ -112,11 +118,11 @@ TEST(Strategies, SplitsTrianglesWhereItHasTo)
     }
   }
   EXPECT_EQ(std::count(uses.begin(), uses.end(), 0), 0);
-  // Where triangles overlap they count as often as they were given.
+  // The area of overlapping triangles counts once per given triangle.
   const auto area = [](const std::vector<Point>& points, const Triangle& t)
   { return Length(Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])); };
   double given = 0.0, split = 0.0;
-  const TriangleMesh mesh = Refused();
+  const TriangleMesh mesh = NeedsSplitting();
   for (const Triangle& t : mesh.Triangles)
   {
     given += area(mesh.Points, t);
@@ -129,34 +135,35 @@ TEST(Strategies, SplitsTrianglesWhereItHasTo)
   EXPECT_NEAR(split, given, 1e-9 * given);
 }
 
-// What it does not cope with is an error where it has to be exact, and enclosed where it need not.
-TEST(Strategies, EndsInEnclosingWhereTetGenFails)
+// Where TetGen fails, the result is an error with EXACT and an enclosing tetrahedralization with
+// AUTO.
+TEST(Strategies, EndInEnclosingWhereTetGenFails)
 {
-  const HelperRun exact = RunWith(RefusedAnyway(), Conformity::Exact, Patience);
+  const HelperRun exact = RunWith(NeedsEnclosing(), Conformity::Exact, Patience);
   EXPECT_FALSE(exact.Succeeded());
   EXPECT_NE(exact.Reply.Error.find("TetGen -pcM"), std::string::npos) << exact.Reply.Error;
-  const HelperRun any = RunWith(RefusedAnyway(), Conformity::Auto);
+  const HelperRun any = RunWith(NeedsEnclosing(), Conformity::Auto);
   ASSERT_TRUE(any.Succeeded()) << any.Reply.Error;
   EXPECT_EQ(any.Reply.Strategy, "Delaunay, enclosing");
   EXPECT_NE(any.Reply.Attempts, "");
 }
 
-// By which rung a mesh comes out does not depend on how long the machine is busy with other work.
-TEST(Strategies, DoesNotCountTheTimeOfOthers)
+// The strategy does not depend on the time that the machine spends on other work.
+TEST(Strategies, DoNotCountTheTimeOfOthers)
 {
-  const std::string written = Climb(0.0,
+  const std::string written = TryOnSphere(0.0,
     [](const Reply& reply)
     {
-      sleep(6); // an attempt at so small a mesh has 5 s
+      sleep(6); // longer than the 5 s for an attempt at so small a mesh
       return reply.Strategy;
     });
   EXPECT_EQ(written, "TetGen -pcY\n");
 }
 
-// An attempt that computes for too long is ended, and the limit, on which the result depends, is named.
-TEST(Strategies, EndsAttemptsThatComputeTooLong)
+// An attempt that computes too long is ended, and the reply names the limit.
+TEST(Strategies, EndAttemptsThatComputeTooLong)
 {
-  const std::string written = Climb(0.0,
+  const std::string written = TryOnSphere(0.0,
     [](const Reply& reply)
     {
       while (reply.Strategy == "TetGen -pcY")
@@ -168,10 +175,10 @@ TEST(Strategies, EndsAttemptsThatComputeTooLong)
   EXPECT_EQ(written, "TetGen -pcY, order 1, TetGen took longer than 5.008 s of processor time\n\n");
 }
 
-// A limit of the user's is by the clock; however many attempts it has ended, it is named once.
-TEST(Strategies, EndsAttemptsByTheUsersClock)
+// TimeLimit is by the clock, and the reply names it once, however many attempts it ends.
+TEST(Strategies, EndAttemptsByTheUsersClock)
 {
-  const std::string written = Climb(0.5,
+  const std::string written = TryOnSphere(0.5,
     [](const Reply& reply)
     {
       while (reply.Strategy != "Delaunay, enclosing")
@@ -183,12 +190,12 @@ TEST(Strategies, EndsAttemptsByTheUsersClock)
   EXPECT_EQ(written, "TetGen took longer than 0.5 s\n\n");
 }
 
-// What it refuses in any other way has its points moved, by no more than is allowed, and is met then.
-TEST(Strategies, SnapsWhereItMay)
+// Where TetGen fails otherwise, points are moved, by no more than SnapTolerance.
+TEST(Strategies, SnapIfAllowed)
 {
-  EXPECT_FALSE(RunWith(RefusedUnlessSnapped(), Conformity::Exact).Succeeded());
+  EXPECT_FALSE(RunWith(NeedsSnapping(), Conformity::Exact).Succeeded());
   Job job;
-  job.Mesh = RefusedUnlessSnapped();
+  job.Mesh = NeedsSnapping();
   for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
   {
     job.Conformity = conformity;
@@ -200,11 +207,11 @@ TEST(Strategies, SnapsWhereItMay)
     EXPECT_TRUE(run.Reply.Result.Kept.empty());
     EXPECT_GT(run.Reply.SnapDistance, 0.0);
     const double diagonal =
-      std::sqrt(12.0) * (1.0 + 1e-12); // at most: of the cube around the sphere
+      std::sqrt(12.0) * (1.0 + 1e-12); // at most that of the cube around the sphere
     EXPECT_LE(run.Reply.SnapDistance, job.SnapTolerance * diagonal);
     const ResolvedMesh& surface = run.Reply.Result.Surface;
     const TriangleMesh sphere = models::Sphere(1);
-    EXPECT_EQ(surface.Facets.size(), sphere.Triangles.size()); // two have become one
+    EXPECT_EQ(surface.Facets.size(), sphere.Triangles.size()); // the two surfaces are merged
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {
       ASSERT_GE(surface.PointSources[i], 0);
@@ -214,8 +221,8 @@ TEST(Strategies, SnapsWhereItMay)
   }
 }
 
-// What comes out without is the same whether points may be moved or not.
-TEST(Strategies, MovesNothingWithoutNeed)
+// SnapTolerance changes nothing where TetGen succeeds without it.
+TEST(Strategies, MoveNothingUnnecessarily)
 {
   std::mt19937_64 random(3);
   for (const TriangleMesh& mesh : { models::Sphere(2), models::Soup(12, random) })
@@ -233,12 +240,12 @@ TEST(Strategies, MovesNothingWithoutNeed)
   }
 }
 
-// Where snapping is of no help either, why is said, and what does without comes next.
-TEST(Strategies, GoesOnWhereSnappingFails)
+// Where snapping fails, the reply says why, and the next strategy is tried.
+TEST(Strategies, ContinueWhereSnappingFails)
 {
   Job job;
-  job.Mesh = RefusedUnlessSnapped();
-  job.SnapTolerance = 1e-30; // no double near 1 is so near to another
+  job.Mesh = NeedsSnapping();
+  job.SnapTolerance = 1e-30; // no two doubles near 1 are so close
   job.Conformity = Conformity::Auto;
   const HelperRun run = RunHelper(job);
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
@@ -248,9 +255,9 @@ TEST(Strategies, GoesOnWhereSnappingFails)
     << run.Reply.Attempts;
 }
 
-// A tetrahedralization some of whose cells overlap is none, and the next order is tried. (These boxes make
-// TetGen give one; random soups found them.)
-TEST(Strategies, TakesNoCellsThatOverlap)
+// Overlapping tetrahedra are rejected, and the next order is tried. (TetGen produces them for these
+// boxes, which random soups found.)
+TEST(Strategies, RejectOverlappingCells)
 {
   Job job;
   job.Mesh = models::Joined(models::Flipped(models::Box({ 0, 1, 2 }, { 3, 3, 5 })),
@@ -260,15 +267,11 @@ TEST(Strategies, TakesNoCellsThatOverlap)
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   Tetrahedralization result = run.Reply.Result;
   EXPECT_TRUE(FindAdjacency(result)); // no face has three cells
-  for (const auto& [a, b, c, d] : result.Cells)
-  {
-    const std::vector<Point>& p = result.Surface.Points;
-    EXPECT_GT(SixVolume(p[a], p[b], p[c], p[d]), 0.0);
-  }
+  EXPECT_GT(checks::SixVolume(result), 0.0);
 }
 
-// A mesh without volume is no matter of rungs.
-TEST(Strategies, SaysWhatNoRungCanHelp)
+// No strategy is tried on a mesh without volume.
+TEST(Strategies, RefuseMeshesWithoutVolume)
 {
   for (const Conformity conformity : { Conformity::Exact, Conformity::Enclosing, Conformity::Auto })
   {

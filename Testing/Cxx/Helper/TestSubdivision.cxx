@@ -10,11 +10,15 @@
 #include <set>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
 
-/** Two triangles of a plane that share an edge, and a third on it that leaves the plane. */
+/**
+ * Two triangles in the plane z = 0 that share an edge, and a third triangle on that edge in another
+ * plane.
+ */
 ResolvedMesh ThreeOnAnEdge()
 {
   ResolvedMesh mesh;
@@ -41,7 +45,9 @@ Point NormalOf(const std::array<Point, 3>& t)
   return Cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/** Splits parts and edges of parts at random places; returns the parts by what the changes say. */
+/**
+ * Splits parts and edges at random points; returns the parts that exist according to the changes.
+ */
 std::set<int> SplitAtRandom(Subdivision& parts, int times, std::mt19937_64& random)
 {
   std::set<int> alive = { 0, 1, 2 };
@@ -75,7 +81,7 @@ std::set<int> SplitAtRandom(Subdivision& parts, int times, std::mt19937_64& rand
 
 } // namespace
 
-// However often it is split, the parts of a triangle cover it once and face as it does.
+// After any splits, the parts of a triangle cover it once and have its orientation.
 TEST(Subdivision, CoversEveryTriangleOnce)
 {
   std::mt19937_64 random(3);
@@ -101,9 +107,9 @@ TEST(Subdivision, CoversEveryTriangleOnce)
   EXPECT_EQ(count, alive.size());
 }
 
-// Parts join as a surface does: an edge within a triangle has two of them, and one on the common edge of
+// Parts stay connected: an edge inside a triangle has two parts, and one on the common edge of
 // three triangles has three.
-TEST(Subdivision, StaysJoined)
+TEST(Subdivision, StaysConnected)
 {
   std::mt19937_64 random(4);
   Subdivision parts(ThreeOnAnEdge());
@@ -136,7 +142,7 @@ TEST(Subdivision, StaysJoined)
   }
 }
 
-// Within a triangle's plane no part has a vertex of another one of that triangle in its circumcircle.
+// The circumcircle of a part contains no vertex of another part of the same triangle.
 TEST(Subdivision, IsDelaunayInThePlane)
 {
   std::mt19937_64 random(5);
@@ -153,7 +159,7 @@ TEST(Subdivision, IsDelaunayInThePlane)
     }
     for (const int part : all)
     {
-      // The circumcenter in the plane z = 0, to which both triangles belong.
+      // The circumcenter in the plane z = 0, which contains both triangles.
       const auto [a, b, c] = parts.GetCorners(part);
       const Point u = b - a, v = c - a;
       const double d = 2.0 * (u[0] * v[1] - u[1] * v[0]);

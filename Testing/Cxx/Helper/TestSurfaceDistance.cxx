@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -23,7 +24,7 @@ ResolvedMesh AsMesh(const TriangleMesh& mesh)
   return result;
 }
 
-/** The largest distance from a mesh of the points of a grid on a triangle. */
+/** The largest distance between a mesh and the points of a grid on a triangle. */
 double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& t)
 {
   constexpr int N = 40;
@@ -46,7 +47,7 @@ double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& 
 
 } // namespace
 
-// Above a plane the highest corner is the farthest point.
+// Above a plane, the highest corner is the farthest point.
 TEST(SurfaceDistance, IsTheHeightAboveAPlane)
 {
   const SurfaceDistance distance(
@@ -58,7 +59,7 @@ TEST(SurfaceDistance, IsTheHeightAboveAPlane)
   EXPECT_FALSE(distance.IsWithin(triangle, 0.47));
 }
 
-// The farthest point need not be a corner: a triangle that spans a gap is far in its middle.
+// The farthest point may be in the interior: a triangle that spans a gap is farthest in its middle.
 TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
 {
   std::mt19937_64 random(5);
@@ -67,7 +68,7 @@ TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
   for (int i = 0; i < 30; ++i)
   {
     SCOPED_TRACE("triangle " + std::to_string(i));
-    // Small triangles of M at its corners, and some about.
+    // Small triangles of M at the corners of the triangle and elsewhere.
     SurfaceDistance::Corners triangle;
     TriangleMesh mesh;
     for (int k = 0; k < 6; ++k)
@@ -85,7 +86,7 @@ TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
     }
     const double expected = FarthestOfGrid(mesh, triangle);
     const SurfaceDistance distance(AsMesh(mesh));
-    // The grid misses the farthest point by less than its spacing.
+    // The grid underestimates the distance by less than its spacing.
     const double spacing = 4.0 / 40.0;
     const double farthest = distance.Farthest(triangle, 1e-3);
     EXPECT_GE(1.05 * farthest, expected);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The profile's components, tunnels and voids, on models and real meshes and in the plane. Random meshes
- * are among those of the properties.
+ * The profile's components, tunnels and voids of models, of real meshes and in the plane.
+ * TestProperties.cxx has the random meshes.
  */
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Measure/StreamTopology.h"
@@ -30,7 +30,7 @@ Carved CarveMesh(const TriangleMesh& mesh)
   return CarveResult(run.Reply.Result);
 }
 
-/** Ten steps, those of ten levels. */
+/** Expects the right topology at the steps of ten levels. */
 Profile ExpectTopologyOfTenSteps(const Carved& carved)
 {
   const std::vector<int> steps = SpreadLevels(carved.Profile, 10);
@@ -42,7 +42,7 @@ Profile ExpectTopologyOfTenSteps(const Carved& carved)
   return carved.Profile;
 }
 
-/** Spheres of these radii around one center, solid and hollow by turns from the outside. */
+/** Concentric spheres of these radii; from the outside, solid and hollow alternate. */
 TriangleMesh NestedShells(const std::vector<double>& radii)
 {
   TriangleMesh mesh;
@@ -58,8 +58,8 @@ TriangleMesh NestedShells(const std::vector<double>& radii)
 
 } // namespace
 
-// Cheese ends as one piece with its many tunnels. What a target of tunnels picks has no more of them, and
-// what comes next has.
+// The cheese ends as one component with many tunnels. A target of tunnels picks a step with no more
+// tunnels, followed by a step with more.
 TEST(Topology, OfCheese)
 {
   const TriangleMesh mesh = ReadRealMesh("cheese.off");
@@ -78,13 +78,13 @@ TEST(Topology, OfCheese)
   }
 }
 
-// Bones, which cross each other in places, have the Betti numbers of boundary matrices at ten steps.
+// Bones that cross each other have the Betti numbers of boundary matrices.
 TEST(Topology, OfBones)
 {
   ExpectTopologyOfTenSteps(CarveMesh(ReadRealMesh("bones.off")));
 }
 
-// Eight spheres end apart.
+// Eight spheres end as eight components.
 TEST(Topology, OfEightSpheres)
 {
   const Profile profile = ExpectTopologyOfTenSteps(CarveMesh(models::EightSpheres()));
@@ -93,7 +93,7 @@ TEST(Topology, OfEightSpheres)
   EXPECT_EQ(profile.Voids.back(), 0);
 }
 
-// Two shells, one in the other, and a ball in both: three pieces, around two voids.
+// Two nested shells around a ball have three components and two voids.
 TEST(Topology, OfNestedShells)
 {
   const Profile profile =
@@ -103,7 +103,8 @@ TEST(Topology, OfNestedShells)
   EXPECT_EQ(profile.Voids.back(), 2);
 }
 
-// In a plane tunnels are the holes of the region: two rings, one in the other, and a disk in both.
+// In the plane, tunnels are holes: two nested rings around a disk have three components and two
+// holes.
 TEST(Topology, OfContoursCountsHoles)
 {
   Job job;

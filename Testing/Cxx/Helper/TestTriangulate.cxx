@@ -12,21 +12,22 @@
 #include <sstream>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
 
-Contours Resolved(const ContourSet& given, int& meetings)
+Contours Resolved(const ContourSet& given, int& splitPoints)
 {
   Contours contours = Clean(AsContours(given, false));
-  EXPECT_EQ(Resolve(contours, meetings, {}), "");
+  EXPECT_EQ(Resolve(contours, splitPoints, {}), "");
   return contours;
 }
 
 Contours Resolved(const ContourSet& given)
 {
-  int meetings = 0;
-  return Resolved(given, meetings);
+  int splitPoints = 0;
+  return Resolved(given, splitPoints);
 }
 
 Decomposition<2> Triangulated(
@@ -37,7 +38,7 @@ Decomposition<2> Triangulated(
   return result;
 }
 
-/** Four sides of a square around many segments, many of which cross. */
+/** The four sides of a square around segments, many of which cross. */
 ContourSet RandomSegments(unsigned int seed, int count)
 {
   std::mt19937 random(seed);
@@ -48,7 +49,7 @@ ContourSet RandomSegments(unsigned int seed, int count)
     const int first = static_cast<int>(set.Points.size());
     for (int end = 0; end < 2; ++end)
     {
-      // Half of them on a coarse grid, for collinear overlaps and common ends.
+      // Half of the ends are on a coarse grid, for collinear overlaps and common ends.
       const double x = random() / 67108864.0, y = random() / 67108864.0;
       set.Points.push_back(
         i % 2 ? Point{ x, y, 0 } : Point{ std::floor(x / 8) * 8, std::floor(y / 8) * 8, 0 });
@@ -99,7 +100,7 @@ double Area(const Decomposition<2>& mesh)
 
 } // namespace
 
-// Equal points are merged, edges without length and points without edges dropped.
+// Equal points are merged, and edges without length and points without edges are dropped.
 TEST(CleanContours, MergesPointsAndDropsEmptyEdges)
 {
   const Contours contours =
@@ -111,8 +112,8 @@ TEST(CleanContours, MergesPointsAndDropsEmptyEdges)
   EXPECT_EQ(contours.FacetSources, (std::vector<int>{ 1, 2 }));
 }
 
-// Of merged edges the signed and the plain number are kept.
-TEST(CleanContours, CountsMergedEdges)
+// The multiplicities of equal edges are added.
+TEST(CleanContours, AddsMultiplicities)
 {
   const Contours contours = Clean(AsContours(
     { { { 0, 0, 0 }, { 1, 0, 0 } }, { { 0, 1 }, { 1, 0 }, { 1, 0 }, { 1, 0 } } }, false));
@@ -121,13 +122,14 @@ TEST(CleanContours, CountsMergedEdges)
   EXPECT_EQ(contours.Multiplicities[0], 4);
 }
 
-// A crossing gets a new point, whose third coordinate is interpolated.
+// A crossing becomes a new point with an interpolated third coordinate.
 TEST(ResolveContours, SplitsACrossing)
 {
-  int meetings = 0;
-  const Contours contours = Resolved(
-    { { { 0, 0, 0 }, { 4, 4, 8 }, { 0, 2, 2 }, { 2, 0, 2 } }, { { 0, 1 }, { 2, 3 } } }, meetings);
-  EXPECT_EQ(meetings, 1);
+  int splitPoints = 0;
+  const Contours contours =
+    Resolved({ { { 0, 0, 0 }, { 4, 4, 8 }, { 0, 2, 2 }, { 2, 0, 2 } }, { { 0, 1 }, { 2, 3 } } },
+      splitPoints);
+  EXPECT_EQ(splitPoints, 1);
   EXPECT_EQ(contours.Facets.size(), 4u);
   EXPECT_EQ(contours.Points.back(), (Point{ 1, 1, 2 }));
   EXPECT_EQ(contours.PointSources.back(), -1);
@@ -137,15 +139,16 @@ TEST(ResolveContours, SplitsACrossing)
 // An end on another edge splits that edge without a new point.
 TEST(ResolveContours, SplitsAtAnEnd)
 {
-  int meetings = 0;
-  const Contours contours = Resolved(
-    { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 1, 5, 0 } }, { { 0, 1 }, { 2, 3 } } }, meetings);
-  EXPECT_EQ(meetings, 1);
+  int splitPoints = 0;
+  const Contours contours =
+    Resolved({ { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 1, 5, 0 } }, { { 0, 1 }, { 2, 3 } } },
+      splitPoints);
+  EXPECT_EQ(splitPoints, 1);
   EXPECT_EQ(contours.Points.size(), 4u);
   EXPECT_EQ(contours.Facets.size(), 3u);
 }
 
-// Where edges overlap there is one, which counts for both.
+// The common part of overlapping edges becomes one edge with added multiplicities.
 TEST(ResolveContours, MergesOverlaps)
 {
   const Contours contours =
@@ -154,25 +157,25 @@ TEST(ResolveContours, MergesOverlaps)
   EXPECT_EQ(contours.SignedMultiplicities, (std::vector<int>{ 1, 0, 1 }));
 }
 
-// Contours without crossings stay as they are.
+// Resolving contours without crossings changes nothing.
 TEST(ResolveContours, LeavesCleanContoursAlone)
 {
   const ContourSet square = RandomSegments(1, 0);
-  int meetings = -1;
-  const Contours contours = Resolved(square, meetings);
-  EXPECT_EQ(meetings, 0);
+  int splitPoints = -1;
+  const Contours contours = Resolved(square, splitPoints);
+  EXPECT_EQ(splitPoints, 0);
   EXPECT_EQ(contours.Points, square.Points);
   EXPECT_EQ(contours.Facets, square.Edges);
 }
 
-// After resolving random segments no two edges have more in common than an end.
+// After resolving random segments, no two edges have more in common than an end.
 TEST(ResolveContours, LeavesNoCrossing)
 {
   for (unsigned int seed = 0; seed < 20; ++seed)
   {
-    int meetings = 0;
-    const Contours contours = Resolved(RandomSegments(seed, 30), meetings);
-    EXPECT_GT(meetings, 30);
+    int splitPoints = 0;
+    const Contours contours = Resolved(RandomSegments(seed, 30), splitPoints);
+    EXPECT_GT(splitPoints, 30);
     for (std::size_t i = 0; i < contours.Facets.size(); ++i)
     {
       for (std::size_t j = 0; j < i; ++j)
@@ -183,7 +186,7 @@ TEST(ResolveContours, LeavesNoCrossing)
   }
 }
 
-// Edges that overlap but for rounding, as on a rotated grid, are resolved too.
+// Edges that overlap except for rounding, as on a rotated grid, are resolved.
 TEST(ResolveContours, ResolvesNearlyCollinearEdges)
 {
   for (unsigned int seed = 0; seed < 20; ++seed)
@@ -207,7 +210,7 @@ TEST(ResolveContours, ResolvesNearlyCollinearEdges)
   }
 }
 
-// The triangles fill the hull, counter-clockwise, and every edge of M is a face of one.
+// The triangles fill the hull and are counter-clockwise, and every edge of M is a face of one.
 TEST(Triangulate, FillsTheHull)
 {
   for (unsigned int seed = 0; seed < 20; ++seed)
@@ -227,7 +230,7 @@ TEST(Triangulate, FillsTheHull)
   }
 }
 
-// The same input gives the same bytes.
+// Equal input gives equal bytes.
 TEST(Triangulate, IsDeterministic)
 {
   std::string bytes[2];
@@ -244,7 +247,7 @@ TEST(Triangulate, IsDeterministic)
   EXPECT_EQ(bytes[0], bytes[1]);
 }
 
-// The corners of the box lie in the plane of the input.
+// The corners of the bounding box lie in the plane of the input.
 TEST(Triangulate, PutsTheBoxIntoThePlane)
 {
   const Decomposition<2> mesh =
@@ -258,8 +261,8 @@ TEST(Triangulate, PutsTheBoxIntoThePlane)
   EXPECT_NEAR(Area(mesh), 4.1 * 3.1, 1e-12); // the diagonal is 5
 }
 
-// No edge, or all on one line: said in a sentence.
-TEST(Triangulate, SaysThatThereIsNothing)
+// Contours without an edge or without an area are refused with a message.
+TEST(Triangulate, RefusesContoursWithoutArea)
 {
   const ContourSet nothing = { { { 1, 1, 1 } }, { { 0, 0 } } };
   const ContourSet line = { { { 0, 0, 0 }, { 1, 1, 0 } }, { { 0, 1 } } };

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Attempts/Attempts.h"
+
+#include "Helper/Attempts/Patience.h"
+#include "Helper/Attempts/Shuffle.h"
+#include "Helper/Base/GrownBox.h"
+#include "Helper/Exact/InitialSurface.h"
+
+namespace carving::helper
+{
+
+Attempts::Attempts(const Job& job, Reply& reply, const StrategyHost& host)
+  : TheJob(job)
+  , TheReply(reply)
+  , Host(host)
+  , IsCustom(job.Initial == InitialApproximation::Custom)
+{
+}
+
+std::vector<Point> Attempts::FurtherPoints(const std::vector<Point>& points) const
+{
+  const bool isBox = this->TheJob.Initial == InitialApproximation::BoundingBox;
+  return isBox && !points.empty() ? GrownBox(points) : std::vector<Point>();
+}
+
+bool Attempts::TryInChild(const std::string& attempt, const std::string& subject,
+  const Limits& limits, const std::function<bool()>& work)
+{
+  const Ending ending = RunInChildProcess(limits, work);
+  if (!ending.Mistake.empty() && ending.Mistake != "failed")
+  {
+    this->Failures.Add(attempt, { subject + ending.Mistake, ending.ByLimit });
+  }
+  return ending.Mistake.empty();
+}
+
+bool Attempts::TryOrders(
+  const std::string& strategy, int first, int last, SurfacePoints surfacePoints)
+{
+  const Limits limits =
+    LimitsOfAttempt(this->TheJob, surfacePoints, this->TheReply.Result.Surface.Facets.size());
+  for (int order = first; order < last; ++order)
+  {
+    this->TheReply.Strategy = strategy + (order == 0 ? "" : ", order " + std::to_string(order));
+    if (this->TryInChild(this->TheReply.Strategy + ": ", "TetGen ", limits,
+          [&] { return this->TryOrder(order, surfacePoints); }))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
+{
+  Tetrahedralization& result = this->TheReply.Result;
+  Shuffle(order, result.Surface);
+  const Ending ending =
+    Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result);
+  if (!ending.Mistake.empty())
+  {
+    this->Failures.Add(this->TheReply.Strategy + ": ", ending);
+    return false;
+  }
+  if (this->IsCustom)
+  {
+    this->TheReply.Error = RemoveOutsideOfInitial(result);
+    if (!this->TheReply.Error.empty())
+    {
+      return this->WriteError();
+    }
+  }
+  this->Failures.CopyTo(this->TheReply);
+  return this->WriteResult();
+}
+
+bool Attempts::WriteResult()
+{
+  this->Host.End();
+  const bool written = this->Host.Write();
+  if (!written)
+  {
+    this->Failures.Add(this->TheReply.Strategy + ": ", { "the result could not be written" });
+  }
+  return written;
+}
+
+bool Attempts::WriteError()
+{
+  this->Host.End();
+  return this->Host.Write();
+}
+
+} // namespace carving::helper

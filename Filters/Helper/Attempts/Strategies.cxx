@@ -110,11 +110,11 @@ bool StrategyRun::TryAll()
   }
   this->Failures.CopyTo(this->TheReply);
   this->TheReply.Error = mayEnclose
-    ? "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. What "
-      "was tried: "
-    : "TetGen does not cope with the mesh. Repair or leave out the parts that cross "
-      "themselves or nearly touch, let Conformity be AUTO, set SnapTolerance, or raise "
-      "TimeLimit or MemoryLimit if they are set. What was tried: ";
+    ? "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. "
+      "Attempts: "
+    : "TetGen does not cope with the mesh. Repair or remove the parts that cross themselves or "
+      "nearly touch, set Conformity to AUTO, set SnapTolerance, or raise TimeLimit or MemoryLimit "
+      "if they are set. Attempts: ";
   this->TheReply.Error += Joined(this->TheReply.Attempts);
   return false;
 }

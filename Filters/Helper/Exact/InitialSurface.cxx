@@ -85,7 +85,7 @@ std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector
   return outside.empty()
     ? std::string()
     : InitialPrefix + std::string("does not contain the input: ") + std::to_string(outside.size()) +
-      " of the input's triangles lie outside of it, at least in part, the first of them triangle " +
+      " of the input's triangles lie outside, at least in part; the first is triangle " +
       std::to_string(*outside.begin()) + ".";
 }
 
@@ -114,7 +114,7 @@ std::string CheckInitialSurface(const TriangleMesh& initial)
   };
   if (open > 0)
   {
-    add("is not closed (", open, " edges have not two triangles)");
+    add("is not closed (", open, " edges do not have two triangles)");
   }
   if (components != 1)
   {

@@ -84,7 +84,7 @@ std::string ReplaceByParts(const std::vector<FacetPart>& parts, ResolvedMesh& su
   {
     if (std::abs(uncovered[i]) > allowed[i])
     {
-      return "the faces for triangle " + std::to_string(i) + " are not all of it";
+      return "the faces for triangle " + std::to_string(i) + " do not cover it exactly once";
     }
   }
   split.Points = std::move(surface.Points);

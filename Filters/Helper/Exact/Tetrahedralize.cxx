@@ -216,7 +216,7 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
 {
   if (surface.Facets.empty())
   {
-    return "No triangle of the mesh has an area: there is nothing to carve out.";
+    return "No triangle of the mesh has an area: there is nothing to carve.";
   }
   const bool flat = AreInPlane(surface.Points, surface) && AreInPlane(further, surface);
   return flat

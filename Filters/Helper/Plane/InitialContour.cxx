@@ -67,12 +67,12 @@ std::string CheckSimple(const Contours& given)
   }
   if (splitPoints > 0)
   {
-    return Prefix + "runs over itself.";
+    return Prefix + "overlaps itself.";
   }
   const int components = CountComponents<2>(contours);
   return components == 1
     ? std::string()
-    : Prefix + "is in " + std::to_string(components) + " pieces; it must be one.";
+    : Prefix + "is in " + std::to_string(components) + " pieces instead of one.";
 }
 
 /** A message about the first edge of M that is not within C0, or an empty string. */

@@ -158,7 +158,7 @@ std::string Triangulate(const Contours& contours, InitialApproximation initial,
   if (std::all_of(contours.Multiplicities.begin(), contours.Multiplicities.end(),
         [](int n) { return n == 0; }))
   {
-    return "No edge of the contours has a length: there is nothing to carve out.";
+    return "No edge of the contours has a length: there is nothing to carve.";
   }
   std::vector<char> ofInitial;
   result = SortPoints(contours, ofInitial);

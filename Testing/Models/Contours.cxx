@@ -26,13 +26,16 @@ Point LeftOf(const Point& direction)
   return { -direction[1], direction[0], 0 };
 }
 
-/** Points on an arc from one point to another, whose middle is `height` to the left. */
+/** A point on an arc between two points, whose middle is `height` to the left of their segment. */
 Point OnArc(const Point& from, const Point& to, double height, double t)
 {
   return from + t * (to - from) + 4 * t * (1 - t) * height * LeftOf(Normalized(to - from));
 }
 
-/** A side of the block with finely sampled dents; it bulges, so that all dents begin on the hull. */
+/**
+ * Adds a side of the block with finely sampled dents. The side bulges, so that all dents begin on
+ * the hull.
+ */
 void AddSide(Polygon& polygon, const Point& from, const Point& to, int dents)
 {
   const int parts = 8;
@@ -49,13 +52,16 @@ void AddSide(Polygon& polygon, const Point& from, const Point& to, int dents)
   polygon.push_back(to);
 }
 
-/** Goes down the left bank of a channel around a path to its end, and back up the right bank. */
+/**
+ * Adds a channel around a path: along its left bank to the end of the path, and back along its
+ * right bank.
+ */
 void AddChannel(Polygon& polygon, const Polygon& path, double halfWidth)
 {
   Polygon rightBank;
   for (std::size_t i = 0; i < path.size(); ++i)
   {
-    // Where the path turns, the bank's edges meet in between their directions.
+    // Where the path turns, the banks are offset along the bisector.
     const Point before = i > 0 ? Normalized(path[i] - path[i - 1]) : Point{};
     const Point after = i + 1 < path.size() ? Normalized(path[i + 1] - path[i]) : Point{};
     const Point between = Normalized(before + after);
@@ -67,7 +73,7 @@ void AddChannel(Polygon& polygon, const Polygon& path, double halfWidth)
   polygon.insert(polygon.end(), rightBank.rbegin(), rightBank.rend());
 }
 
-/** A closed smooth curve through points (Catmull and Rom's), sampled. */
+/** Samples of the closed Catmull-Rom spline through points. */
 Polygon Smoothed(const Polygon& controls)
 {
   const int parts = 5;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Plane models like those in the figures of "Carving for topology simplification of polygonal meshes".
+ * Plane models similar to those in the paper's figures.
  */
 #ifndef Contours_h
 #define Contours_h
@@ -15,8 +15,8 @@ namespace models
 {
 
 /**
- * Closed polygons without crossings in the plane z = 0. The solid is on the left of the edges: outer
- * loops run counter-clockwise, holes clockwise.
+ * Closed polygons without crossings in the plane z = 0. The solid is to the left of the edges:
+ * outer loops are counter-clockwise, holes are clockwise.
  */
 struct ContourModel
 {
@@ -25,9 +25,10 @@ struct ContourModel
 };
 
 /**
- * Figure 9: a block with a deep, narrow, winding pocket, a deep spike and many shallow dents. The walls of
- * the pocket and the spike have long edges and those of the dents have short ones, so that carving by the
- * longest edge goes down to the ends of both before it opens any dent. One loop.
+ * Figure 9: a block with a deep, narrow, winding pocket, a deep spike and many shallow dents. The
+ * walls of the pocket and of the spike have long edges and those of the dents have short ones, so
+ * that carving by longest edge reaches the ends of the pocket and the spike before it opens any
+ * dent. One loop.
  */
 ContourModel SnakingContour();
 

@@ -14,7 +14,7 @@ namespace models
 namespace
 {
 
-/** Marching tetrahedra: a piece of the surface lies in each tetrahedron that it passes through. */
+/** Marching tetrahedra: constructs the piece of the surface in each tetrahedron of a grid. */
 class Marcher
 {
 public:
@@ -58,7 +58,7 @@ public:
   }
 
 private:
-  /** From a node to the next one along an axis. */
+  /** The index difference between neighboring nodes along an axis. */
   int Step(int axis) const
   {
     return axis == 0 ? 1
@@ -71,7 +71,10 @@ private:
     return this->Values[node] < 0.0;
   }
 
-  /** Six tetrahedra, one for each order of the axes on a way from the first corner to the last. */
+  /**
+   * Splits a cube into six tetrahedra, one per order of the axes on a path from the first corner to
+   * the last.
+   */
   void MarchCell(int first)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -86,10 +89,10 @@ private:
     }
   }
 
-  /** `odd`: the corners are in negative order. */
+  /** `odd`: the tetrahedron is negatively oriented. */
   void MarchTetrahedron(std::array<int, 4> t, bool odd)
   {
-    // Inside corners to the front; that leaves three cases.
+    // Inside corners move to the front, which leaves three cases.
     for (int pass = 0; pass < 3; ++pass)
     {
       for (int i = 0; i < 3; ++i)
@@ -134,7 +137,7 @@ private:
     this->Mesh.Triangles.push_back(t);
   }
 
-  /** The surface's vertex on an edge. */
+  /** The vertex of the surface on an edge. */
   int Cut(int a, int b)
   {
     const auto [found, isNew] =
@@ -146,7 +149,9 @@ private:
     return found->second;
   }
 
-  /** Halves the edge again and again; ends not too near to the nodes, for that makes slivers. */
+  /**
+   * Finds the zero on an edge by bisection. The result keeps away from the nodes to avoid slivers.
+   */
   Point FindZero(int insideNode, int outsideNode) const
   {
     const Point start = this->Nodes[insideNode];

@@ -19,13 +19,13 @@ using carving::TriangleMesh;
 using Implicit = std::function<double(const carving::Point&)>;
 
 /**
- * The surface where `solid` is zero, from its values at the nodes of a grid: closed, manifold, oriented
- * outward and without crossings, as long as no node on the border of the grid is inside.
+ * The zero set of `solid`, from its values at the nodes of a grid: closed, manifold, oriented
+ * outward and without crossings, provided that no node on the border of the grid is inside.
  */
 TriangleMesh Isosurface(const Implicit& solid, const carving::Point& lower,
   const carving::Point& upper, const std::array<int, 3>& cells);
 
-/** The smaller (the larger) of two values, rounded off where they differ by less than `width`. */
+/** The minimum (maximum) of two values, smoothed where they differ by less than `width`. */
 double SmoothMin(double a, double b, double width);
 double SmoothMax(double a, double b, double width);
 

@@ -11,7 +11,7 @@ namespace models
 namespace
 {
 
-/** The part of a path that a fraction of it falls on, and the fraction of that part. */
+/** The segment of a path at a fraction of the path, and the fraction of that segment. */
 std::pair<std::size_t, double> Locate(const Limb& limb, double fraction)
 {
   const double place = fraction * static_cast<double>(limb.Path.size() - 1);
@@ -41,7 +41,7 @@ double Limb::RadiusAt(double fraction) const
 
 void Limb::AddTo(carving::TriangleMesh& mesh, int sides) const
 {
-  // Any direction will do that is never along the path.
+  // Any direction serves that is never parallel to the path.
   const std::size_t last = this->Path.size() - 1;
   const Point whole = Normalized(this->Path[last] - this->Path[0]);
   const Point reference = std::abs(whole[2]) > 0.9 ? Point{ 1, 0, 0 } : Point{ 0, 0, 1 };
@@ -86,7 +86,7 @@ bool ClaimedSpace::Claim(const Limb& limb)
   return true;
 }
 
-/** Balls no farther apart than their radius, and so much larger than the limb that no gaps are left. */
+/** Balls whose distance is at most the radius, larger than the limb, so that they leave no gaps. */
 std::vector<ClaimedSpace::Ball> ClaimedSpace::Cover(const Limb& limb)
 {
   std::vector<Ball> balls;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Limbs are what a tree is made of. They keep out of each other's way.
+ * Limbs of a tree, and the space that they occupy, so that limbs do not touch each other.
  */
 #ifndef Limb_h
 #define Limb_h
@@ -14,28 +14,31 @@
 namespace models
 {
 
-/** A bent tube: a path and the radius at each of its points. */
+/** A bent tube: a path, and the radius at each of its points. */
 struct Limb
 {
   std::vector<carving::Point> Path;
   std::vector<double> Radii;
 
-  /** The place, the direction and the radius at a fraction of the path, 0 to 1. */
+  /** The point, the direction and the radius at a fraction of the path, 0 to 1. */
   carving::Point At(double fraction) const;
   carving::Point DirectionAt(double fraction) const;
   double RadiusAt(double fraction) const;
 
-  /** Adds a closed solid with `sides` points around the path, which must not bend much. */
+  /** Adds a closed solid with `sides` points around the path. The path must not bend much. */
   void AddTo(carving::TriangleMesh& mesh, int sides) const;
 };
 
-/** Space that limbs have claimed: balls around their paths, found by the cells of a grid they reach. */
+/** The space that limbs have claimed: balls around their paths, in a hash grid. */
 class ClaimedSpace
 {
 public:
   explicit ClaimedSpace(double cellSize);
 
-  /** Claims the space of a limb and returns true, unless some of it is another's already. */
+  /**
+   * Claims the space of a limb. Returns false, and claims nothing, if another limb occupies some of
+   * it.
+   */
   bool Claim(const Limb& limb);
 
 private:

@@ -22,7 +22,7 @@ void WriteBytes(std::ostream& out, const Value& value)
   out.write(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/** Text from which every coordinate can be read again without loss. */
+/** Writes text from which every coordinate can be read again without loss. */
 void WritePoints(std::ostream& out, const std::vector<carving::Point>& points)
 {
   out.precision(std::numeric_limits<double>::max_digits10);

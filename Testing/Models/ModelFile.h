@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Writes models to files without loss.
+ * Writes models to files without loss of precision.
  */
 #ifndef ModelFile_h
 #define ModelFile_h
@@ -14,10 +14,10 @@
 namespace models
 {
 
-/** As binary PLY or as OFF, after the end of the name. Returns what went wrong, else an empty string. */
+/** Writes binary PLY or OFF, by the extension of the name. Returns an empty string or an error. */
 std::string Write(const std::string& fileName, const carving::TriangleMesh& mesh);
 
-/** As lines in VTK's legacy format (.vtk). */
+/** Writes lines in VTK's legacy format (.vtk). Returns an empty string or an error. */
 std::string Write(const std::string& fileName, const ContourModel& contour);
 
 } // namespace models

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The vector operations that making meshes needs besides those of the core.
+ * The vector operations that models need besides those of the core.
  */
 #ifndef PointMath_h
 #define PointMath_h
@@ -17,7 +17,7 @@ using carving::Point;
 using carving::operator-;
 
 const double Pi = std::acos(-1.0);
-/** Multiples of it spread evenly around a circle, however many there are. */
+/** Any number of multiples of this angle is spread evenly around a circle. */
 const double GoldenAngle = Pi * (3.0 - std::sqrt(5.0));
 
 inline Point operator+(const Point& a, const Point& b)

@@ -21,7 +21,7 @@ std::array<Point, 3> RandomRotation(std::mt19937_64& random)
   return { x, carving::Cross(z, x), z };
 }
 
-/** Two boxes that share a side, an edge or a corner, or one of them twice. */
+/** Two boxes that coincide (0) or share a side (1), an edge (2) or a corner (3). */
 TriangleMesh GluedBoxes(int shared)
 {
   const Point shift = { shared > 0 ? 1.0 : 0.0, shared > 1 ? 1.0 : 0.0, shared > 2 ? 1.0 : 0.0 };

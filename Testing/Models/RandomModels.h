@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Random meshes, for tests of what holds for any mesh.
+ * Random meshes, for tests of properties of all meshes.
  */
 #ifndef RandomModels_h
 #define RandomModels_h
@@ -15,22 +15,27 @@ namespace models
 
 using carving::TriangleMesh;
 
-/** `n` triangles with random corners in a cube: most of them cross others. */
+/** `n` triangles with random corners in a cube; most of them cross others. */
 TriangleMesh Soup(int n, std::mt19937_64& random);
 
 /**
- * `n` right triangles on planes of a grid, so small that many are coplanar and overlap, touch or coincide,
- * in either orientation.
+ * `n` right triangles, in either orientation, in the planes of a grid so small that many are
+ * coplanar and overlap, touch or coincide.
  */
 TriangleMesh GridSoup(int n, std::mt19937_64& random);
 
-/** `n` boxes on a small grid: glued in sides, edges and corners, overlapped, nested, some inside out. */
+/**
+ * `n` boxes on a small grid: glued at sides, edges and corners, overlapping, nested, some inverted.
+ */
 TriangleMesh BoxSoup(int n, std::mt19937_64& random);
 
-/** `n` boxes, balls and rings, all aligned and on places of a grid, so that many sides coincide and overlap. */
+/**
+ * `n` boxes, balls and rings, aligned and placed on a grid, so that many sides coincide and
+ * overlap.
+ */
 TriangleMesh Assembly(int n, std::mt19937_64& random);
 
-/** A mesh twice, the second time with every coordinate off by up to `noise`. */
+/** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 
 /** A random mesh and what is known about it. */
@@ -41,8 +46,8 @@ struct RandomModel
 };
 
 /**
- * One to four parts, each drawn from all shapes and placed, turned and scaled at random so that
- * some overlap, some solids inside out.
+ * One to four random shapes, placed, rotated and scaled at random, so that some overlap; some
+ * solids are inverted.
  */
 RandomModel MakeRandom(std::mt19937_64& random);
 

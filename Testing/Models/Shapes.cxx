@@ -15,7 +15,9 @@ namespace models
 namespace
 {
 
-/** Two triangles for each cell of a grid of n x m points; `wrap` joins the ends. */
+/**
+ * Adds two triangles per cell of a grid of n x m points; `wrap` closes the grid in both directions.
+ */
 void AddGrid(TriangleMesh& mesh, int n, int m, bool wrap)
 {
   const int cellsN = wrap ? n : n - 1;

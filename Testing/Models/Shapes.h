@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Simple meshes that code makes. Solids are oriented outward.
+ * Simple meshes. Solids are oriented outward.
  */
 #ifndef Shapes_h
 #define Shapes_h
@@ -16,17 +16,17 @@ using carving::TriangleMesh;
 TriangleMesh Tetrahedron();
 /** Axis-aligned, 12 triangles. */
 TriangleMesh Box(const carving::Point& lower, const carving::Point& upper);
-/** A unit sphere: an icosahedron, each triangle of which is split in four `subdivisions` times. */
+/** A unit sphere: an icosahedron whose triangles are split into four, `subdivisions` times. */
 TriangleMesh Sphere(int subdivisions);
-/** Around the z axis; n x m quadrilaterals, split in two. */
+/** A torus around the z axis: n x m quadrilaterals, split in two. */
 TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m);
 /** An open sheet over the unit square in the xy plane, n x n quadrilaterals, split in two. */
 TriangleMesh Sheet(int n);
 
 TriangleMesh Moved(TriangleMesh mesh, const carving::Point& translation, double scale = 1.0);
-/** All triangles with the opposite orientation. */
+/** The mesh with the opposite orientation. */
 TriangleMesh Flipped(TriangleMesh mesh);
-/** All triangles of both; points are not merged. */
+/** The triangles of both meshes; points are not merged. */
 TriangleMesh Joined(const TriangleMesh& a, const TriangleMesh& b);
 
 } // namespace models

@@ -12,7 +12,7 @@ namespace models
 namespace
 {
 
-/** Negative in a tunnel through the scone, which lies flat; the tunnels are spread evenly over it. */
+/** Negative inside tunnel i through the flat scone. The tunnels are spread evenly. */
 double SconeTunnel(int i, const Point& p)
 {
   const double angle = i * GoldenAngle;
@@ -35,7 +35,7 @@ double SconeSolid(const Point& p)
   return solid;
 }
 
-/** One pair of ribs: an ellipse from the spine at the back to the sternum, which is further down. */
+/** A pair of ribs: an ellipse from the spine at the back down to the sternum at the front. */
 struct RibPair
 {
   static constexpr int Number = 10;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What leaves and branches have in common: rows of points between two ends.
+ * A mesh over rows of points between two ends, for leaves and branches.
  */
 #ifndef Spindle_h
 #define Spindle_h
@@ -14,9 +14,9 @@ namespace models
 {
 
 /**
- * Adds a mesh of its own points: from the point `first` over rows of equally many points to the point
- * `last`. If `closed`, rows are rings, and counter-clockwise seen from `last` they make a solid oriented
- * outward.
+ * Adds points and triangles: from the point `first` over rows of equal length to the point `last`.
+ * If `closed`, rows are rings; rings that are counter-clockwise when seen from `last` bound a solid
+ * oriented outward.
  */
 void AddSpindle(carving::TriangleMesh& mesh, const carving::Point& first,
   const std::vector<std::vector<carving::Point>>& rows, const carving::Point& last, bool closed);

@@ -23,7 +23,7 @@ double Area(const ContourModel& contour)
   return sum;
 }
 
-/** Each point has one edge that ends and one that starts there. */
+/** Expects that one edge ends and one edge starts at each point, and counts the loops. */
 void ExpectLoops(const ContourModel& contour, int number)
 {
   ASSERT_EQ(contour.Edges.size(), contour.Points.size());
@@ -41,7 +41,7 @@ void ExpectLoops(const ContourModel& contour, int number)
     loops += next[start] >= 0;
     for (int i = static_cast<int>(start); next[i] >= 0;)
     {
-      i = std::exchange(next[i], -1); // a loop is counted once
+      i = std::exchange(next[i], -1); // each loop is counted once
     }
   }
   EXPECT_EQ(loops, number);
@@ -70,7 +70,8 @@ int CountCrossings(const ContourModel& contour)
 
 } // namespace
 
-// The contours are closed and do not cross themselves; the jug's area lacks that of its hole.
+// The contours are closed, do not cross themselves and bound the right area, without the jug's
+// hole.
 TEST(ContourModels, LoopsBoundSolids)
 {
   const ContourModel snake = SnakingContour(), jug = CarvedFigure();

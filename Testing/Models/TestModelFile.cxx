@@ -15,7 +15,7 @@ using namespace models;
 namespace
 {
 
-/** What is written to a file with a name that ends like that. */
+/** The bytes of a file with the given extension. */
 template <class Model>
 std::string Written(const std::string& end, const Model& model)
 {
@@ -32,7 +32,7 @@ const TriangleMesh Mesh = { { { 0.1, 1.0 / 3.0, 0 }, { 1, 0, 0 }, { 0, 1, 1e-300
 
 } // namespace
 
-// Text has as many digits as it takes to read the same numbers again.
+// OFF has enough digits to read the same numbers again.
 TEST(ModelFile, Off)
 {
   EXPECT_EQ(Written(".off", Mesh),
@@ -40,7 +40,7 @@ TEST(ModelFile, Off)
     "3 0 1 2\n");
 }
 
-// Binary PLY ends with the points' and the triangles' bytes.
+// Binary PLY ends with the bytes of the points and triangles.
 TEST(ModelFile, Ply)
 {
   const std::string bytes = Written(".ply", Mesh);
@@ -61,7 +61,7 @@ TEST(ModelFile, Vtk)
     "0 0 0\n1 0 0\n0 0.5 0\nLINES 3 9\n2 0 1\n2 1 2\n2 2 0\n");
 }
 
-// What cannot be written is told, with the file's name.
+// Errors name the file.
 TEST(ModelFile, Errors)
 {
   EXPECT_EQ(

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The models are what their headers say. Topology is counted from scratch, simplex by simplex.
+ * The models are as their headers describe. Topology is computed from scratch, simplex by simplex.
  */
+#include "Core/Mesh/DisjointSets.h"
 #include "Figures.h"
 #include "Implicit.h"
 #include "PointMath.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 using carving::Triangle;
@@ -21,35 +21,26 @@ using namespace models;
 namespace
 {
 
-/** The parts of a mesh that have no point in common. */
+/** The connected components of a mesh. */
 std::vector<TriangleMesh> Components(const TriangleMesh& mesh)
 {
-  std::vector<int> parent(mesh.Points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i)
-  {
-    while (parent[i] != i)
-    {
-      i = parent[i] = parent[parent[i]];
-    }
-    return i;
-  };
+  carving::DisjointSets sets(mesh.Points.size());
   for (const auto& [a, b, c] : mesh.Triangles)
   {
-    parent[root(a)] = root(b);
-    parent[root(b)] = root(c);
+    sets.Unite(a, b);
+    sets.Unite(b, c);
   }
   std::map<int, TriangleMesh> components;
   std::vector<int> renumbered(mesh.Points.size());
-  for (int i = 0; i < static_cast<int>(parent.size()); ++i)
+  for (int i = 0; i < static_cast<int>(mesh.Points.size()); ++i)
   {
-    std::vector<Point>& points = components[root(i)].Points;
+    std::vector<Point>& points = components[sets.Find(i)].Points;
     renumbered[i] = static_cast<int>(points.size());
     points.push_back(mesh.Points[i]);
   }
   for (const auto& [a, b, c] : mesh.Triangles)
   {
-    components[root(a)].Triangles.push_back({ renumbered[a], renumbered[b], renumbered[c] });
+    components[sets.Find(a)].Triangles.push_back({ renumbered[a], renumbered[b], renumbered[c] });
   }
   std::vector<TriangleMesh> result;
   for (const auto& [first, component] : components)
@@ -83,10 +74,11 @@ double SixVolume(const TriangleMesh& mesh)
   return sum;
 }
 
-/** Whether the triangles around every point make one cycle, and enclose a volume. */
+/** Whether the triangles around every point are one cycle, and the volume inside is positive. */
 bool IsSolid(const TriangleMesh& mesh)
 {
-  std::map<std::pair<int, int>, int> next; // around a point, the point that follows another one
+  std::map<std::pair<int, int>, int>
+    next; // around a point, the neighbor that follows another neighbor
   std::vector<int> degrees(mesh.Points.size(), 0), neighbors(mesh.Points.size(), -1);
   for (const Triangle& t : mesh.Triangles)
   {
@@ -134,7 +126,7 @@ std::vector<TriangleMesh> AllFigures()
 
 } // namespace
 
-// An isosurface bounds about the volume where the function is negative.
+// An isosurface bounds approximately the volume in which the function is negative.
 TEST(Implicit, IsosurfaceOfABall)
 {
   const TriangleMesh ball = Isosurface([](const Point& p) { return carving::Length(p) - 1.0; },
@@ -143,7 +135,7 @@ TEST(Implicit, IsosurfaceOfABall)
   EXPECT_NEAR(SixVolume(ball) / 6.0, 4.0 / 3.0 * Pi, 0.1);
 }
 
-// Rounding off fills the corner where two values are equal, and only near it.
+// Smoothing changes the minimum and maximum only where two values are close.
 TEST(Implicit, SmoothMinAndMax)
 {
   EXPECT_DOUBLE_EQ(SmoothMin(1.0, 1.0, 0.4), 0.9);
@@ -161,7 +153,7 @@ TEST(FigureModels, Solids)
   ExpectSolids(Ribs(), 1, RibsGenus);
 }
 
-// The yucca has 25 leaves, each an open disk, and about the points and triangles of Table 1.
+// The yucca has 25 leaves, each an open disk, and about as many points and triangles as in Table 1.
 TEST(FigureModels, YuccaLeaves)
 {
   const TriangleMesh mesh = YuccaLeaves();
@@ -176,7 +168,7 @@ TEST(FigureModels, YuccaLeaves)
   }
 }
 
-// All of a tree that is not a leaf of two triangles is a solid of genus 0.
+// Every part of a tree is a leaf of two triangles or a solid of genus 0.
 TEST(FigureModels, Tree)
 {
   for (const int leaves : { 1, 300, 19500 })
@@ -194,7 +186,7 @@ TEST(FigureModels, Tree)
   EXPECT_GE(Tree().Triangles.size(), 60000u);
 }
 
-// No point of a figure is there twice or unused.
+// The points of a figure are distinct and used.
 TEST(FigureModels, PointsAreDistinctAndUsed)
 {
   for (const TriangleMesh& mesh : AllFigures())
@@ -209,7 +201,7 @@ TEST(FigureModels, PointsAreDistinctAndUsed)
   }
 }
 
-// Every call makes the same mesh.
+// Every call returns the same mesh.
 TEST(FigureModels, AreTheSameEveryTime)
 {
   const std::vector<TriangleMesh> first = AllFigures(), second = AllFigures();

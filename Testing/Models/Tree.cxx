@@ -28,7 +28,7 @@ public:
     {
       this->GrowBranch(trunk, 0.25 + 0.7 * (i + 0.5) / branches, i * GoldenAngle, twigs);
     }
-    // Many a leaf will not find room at its first place.
+    // Many leaves find no room at the first attempt.
     int grown = 0;
     for (int attempt = 0; grown < leaves && attempt < 50 * leaves; ++attempt)
     {
@@ -38,13 +38,19 @@ public:
   }
 
 private:
-  /** Uniform. The standard's distributions differ from one library to another; its engine does not. */
+  /**
+   * A uniform random number. Unlike the engine, the standard distributions differ between
+   * libraries.
+   */
   double Between(double lower, double upper)
   {
     return lower + (upper - lower) * std::ldexp(static_cast<double>(this->Random() >> 11), -53);
   }
 
-  /** A limb that tapers; `bend` is added to it at its end, and the less the nearer to its start. */
+  /**
+   * A tapering limb. `bend` is the displacement of its end, and decreases quadratically toward its
+   * start.
+   */
   static Limb GrowLimb(const Point& start, const Point& direction, const Point& bend, double length,
     double radius, int parts)
   {
@@ -58,7 +64,7 @@ private:
     return limb;
   }
 
-  /** Where a limb of a radius may start beside another one. */
+  /** The start of a limb of a given radius beside its bearer. */
   static Point Beside(const Limb& bearer, double fraction, const Point& direction, double radius)
   {
     return bearer.At(fraction) + 1.25 * (bearer.RadiusAt(fraction) + radius) * direction;

@@ -9,7 +9,7 @@ namespace models
 namespace
 {
 
-/** Leaf i of n, from the lowest, which lies nearly flat, to the uppermost, which stands. */
+/** Adds leaf i of n: the lowest leaf is nearly horizontal, the uppermost nearly upright. */
 void AddLeaf(TriangleMesh& mesh, int i, int n)
 {
   const int rows = 6, columns = 5;
@@ -37,7 +37,7 @@ void AddLeaf(TriangleMesh& mesh, int i, int n)
     const Point above = carving::Cross(along, side);
     for (int column = 0; column < columns; ++column)
     {
-      // Across, a leaf is a channel, so that it is not flat.
+      // A leaf is curved across, so that it is not flat.
       const double s = 2.0 * column / (columns - 1) - 1.0;
       points[row].push_back(spine(t) + s * halfWidth * side + 0.6 * s * s * halfWidth * above);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * carving-model: writes the models of the figures to files.
+ * carving-model: writes the models of the paper's figures to files.
  */
 #include "Contours.h"
 #include "Figures.h"
@@ -23,7 +23,7 @@ constexpr const char* Usage =
   "       carving-model --list\n"
   "Writes a model to files: a mesh to .ply or .off, a contour to .vtk.\n";
 
-/** Writes a model to a file; returns what went wrong, else an empty string. */
+/** Writes a model to a file. Returns an empty string or an error. */
 using Writer = std::function<std::string(const std::string& fileName)>;
 
 template <class Make>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * How long a level takes from a stored stream of about 150,000 tetrahedra.
+ * The time to extract a level from a stored stream of about 150,000 tetrahedra.
  */
 #include "Figures.h"
 #include "vtkCellArray.h"
@@ -18,7 +18,7 @@
 namespace
 {
 
-/** The stream of a tree, as from a file. */
+/** The stream of a tree, as if read from a file. */
 vtkUnstructuredGrid* GetStream()
 {
   static const vtkSmartPointer<vtkUnstructuredGrid> stream = []
@@ -48,7 +48,10 @@ vtkUnstructuredGrid* GetStream()
   return stream;
 }
 
-/** Another level each time, so that nothing is reused; `range(0)`: whether it is cut. */
+/**
+ * Extracts a different level each time, so that nothing is reused. Argument: whether levels are
+ * cut.
+ */
 void ExtractLevel(benchmark::State& state)
 {
   vtkUnstructuredGrid* stream = GetStream();
@@ -68,7 +71,7 @@ void ExtractLevel(benchmark::State& state)
   state.counters["cells"] = static_cast<double>(stream->GetNumberOfCells());
 }
 
-/** The finest level, which has the most triangles. */
+/** Extracts the finest level, which has the most triangles. */
 void ExtractLastLevel(benchmark::State& state)
 {
   vtkUnstructuredGrid* stream = GetStream();
@@ -83,7 +86,7 @@ void ExtractLastLevel(benchmark::State& state)
   state.counters["triangles"] = static_cast<double>(extract->GetOutput()->GetNumberOfPolys());
 }
 
-/** What the first request costs on top. */
+/** Prepares a stream and extracts one level, as the first request does. */
 void PrepareStream(benchmark::State& state)
 {
   vtkUnstructuredGrid* stream = GetStream();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * What the profile and the distances cost, next to the carving of the same tetrahedra: of trees of about
- * 150,000 and 1,500,000 of them in the hull.
+ * The time for the profile and the distances, to be compared with the time for carving the same
+ * tetrahedra: trees with about 150,000 and 1,500,000 tetrahedra in the hull.
  */
 #include "Core/Carving/Carver.h"
 #include "Core/Measure/Profile.h"
@@ -84,7 +84,7 @@ void ProfileTopology(benchmark::State& state)
   }
 }
 
-/** How far every step is from the mesh. */
+/** The distance of every step from the mesh. */
 void ProfileErrors(benchmark::State& state)
 {
   const Carving& carving = GetCarving(static_cast<int>(state.range(0)));

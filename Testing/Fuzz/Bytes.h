@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A fuzzer's bytes as a source of decisions.
+ * The bytes of a fuzzer as a source of decisions.
  */
 #ifndef Bytes_h
 #define Bytes_h
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-/** Gives zeros when there are no bytes left. */
+/** Returns zeros after the last byte. */
 class Bytes
 {
 public:
@@ -28,7 +28,7 @@ public:
     return byte % n;
   }
 
-  /** One decision; eight of them take a byte. */
+  /** A bit; eight of them take a byte. */
   bool Bit()
   {
     if (this->BitsLeft == 0)
@@ -40,7 +40,7 @@ public:
     return (this->Bits >> this->BitsLeft & 1) != 0;
   }
 
-  /** Any double: huge, denormal, infinite, not a number. */
+  /** Any double, also a huge, denormal or infinite one or NaN. */
   double Double()
   {
     double value = 0.0;

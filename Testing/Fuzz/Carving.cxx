@@ -13,7 +13,7 @@ using namespace carving;
 namespace
 {
 
-/** A multiple of `unit`, from 0 on, or as the last of `count` possibilities the greatest number that there is. */
+/** One of `count` possibilities: the multiples of `unit` from 0 on, and the largest double. */
 double DrawUpToHuge(Bytes& bytes, int count, double unit)
 {
   const int drawn = bytes.Below(count);

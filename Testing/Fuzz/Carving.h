@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * All that is done with a decomposition, with settings drawn from bytes.
+ * A decomposition carved with settings drawn from bytes.
  */
 #ifndef Carving_h
 #define Carving_h
@@ -15,17 +15,17 @@ template <int D>
 struct Carving
 {
   carving::BettiNumbers Budget;
-  carving::Stream Order; ///< of all cells, while `Stored` may lack those of the solid
+  carving::Stream Order; ///< of all cells; `Stored` may lack the cells of the solid
   carving::StoredStream<D> Stored;
   carving::Profile Profile;
   std::vector<int> Steps; ///< of the levels
 };
 
-/** Classifies and carves, and picks levels. */
+/** Classifies the regions, carves, and picks levels. */
 template <int D>
 Carving<D> CarveWith(Bytes& bytes, const carving::Decomposition<D>& mesh);
 
-/** Ends the program, which the fuzzer reports, if something does not hold. */
+/** Aborts the program, which the fuzzer reports, if a condition does not hold. */
 void Require(bool holds);
 
 #endif

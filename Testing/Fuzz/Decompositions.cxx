@@ -26,7 +26,7 @@ double SignedSize(const std::vector<Point>& points, const std::array<int, D + 1>
   }
 }
 
-/** Cells along all paths over the edges of each cube, from its lowest to its highest corner. */
+/** Adds one cell per path along the edges of each cube from its lowest to its highest corner. */
 template <int D>
 void FillWithCubes(Bytes& bytes, Decomposition<D>& mesh)
 {
@@ -71,12 +71,12 @@ void FillWithCubes(Bytes& bytes, Decomposition<D>& mesh)
   }
 }
 
-/** A new point within a cell or on an edge, unless it would flatten a cell. */
+/** Adds a point inside a cell or on an edge, unless a cell would become flat. */
 template <int D>
 void Split(Bytes& bytes, Decomposition<D>& mesh)
 {
   const auto split = mesh.Cells[bytes.Below(std::min<int>(256, mesh.Cells.size()))];
-  const int corners = bytes.Bit() ? 2 : D + 1; // which the point lies between
+  const int corners = bytes.Bit() ? 2 : D + 1; // the point is a combination of these
   const int first = corners == 2 ? bytes.Below(D) : 0;
   Point point = {};
   double total = 0.0;
@@ -123,7 +123,7 @@ void Split(Bytes& bytes, Decomposition<D>& mesh)
   }
 }
 
-/** M: the boundary of some cells, or any faces. */
+/** Adds M: the boundary of some cells, other faces, or both. */
 template <int D>
 void Constrain(Bytes& bytes, Decomposition<D>& mesh)
 {
@@ -157,7 +157,7 @@ void Constrain(Bytes& bytes, Decomposition<D>& mesh)
   FindAdjacency(mesh);
 }
 
-/** As in enclosing mode. */
+/** Marks some cells as kept, as in enclosing mode. */
 template <int D>
 void Keep(Bytes& bytes, Decomposition<D>& mesh)
 {
@@ -166,7 +166,7 @@ void Keep(Bytes& bytes, Decomposition<D>& mesh)
   {
     const bool kept = bytes.Bit();
     mesh.Kept.push_back(kept);
-    if (kept) // since a facet of the input passes between its corners
+    if (kept) // a kept cell has a facet of the input between its corners
     {
       std::array<int, D> facet;
       std::copy(mesh.Cells[cell].begin(), mesh.Cells[cell].begin() + D, facet.begin());

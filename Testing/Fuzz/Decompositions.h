@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Small decompositions, as the helper program may answer them, drawn from bytes.
+ * Small decompositions, as the helper program may return them, drawn from bytes.
  */
 #ifndef Decompositions_h
 #define Decompositions_h
@@ -10,8 +10,9 @@
 #include "Core/Mesh/Mesh.h"
 
 /**
- * A box of cubes (squares), split into tetrahedra (triangles) and these again at some points, constrained
- * by the boundary of some of its cells, by any other faces, or both, with cells to keep or without.
+ * A box of cubes (squares), split into tetrahedra (triangles), which are split again at some
+ * points. The boundary of some cells, other faces, or both are constraints, and some cells may be
+ * kept.
  */
 template <int D>
 carving::Decomposition<D> MakeDecomposition(Bytes& bytes);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fuzz target: carves small decompositions by every rule, and holds what comes out against what must be.
+ * Fuzz target: carves small decompositions by every rule and checks the properties of the results.
  */
 #include "Carving.h"
 #include "Chain.h"
@@ -21,7 +21,9 @@ using namespace carving;
 namespace
 {
 
-/** A level has as many faces as the profile says; it can be cut into a manifold, which opens no tunnel. */
+/**
+ * A level has the sizes that the profile states. Cutting it gives a manifold and opens no tunnel.
+ */
 template <int D>
 void CheckLevel(const Carving<D>& carved, int step)
 {
@@ -37,8 +39,8 @@ void CheckLevel(const Carving<D>& carved, int step)
 }
 
 /**
- * Voids never become fewer, nor do components where all points are of M; volume never grows; whatever is carved
- * has a priority.
+ * Voids never decrease, nor do components if M has all points. Volume never grows. Every step has a
+ * priority.
  */
 template <int D>
 void CheckProfile(const Profile& profile, const ResolvedInput<D>& surface)
@@ -61,7 +63,10 @@ void CheckProfile(const Profile& profile, const ResolvedInput<D>& surface)
     profile.Tunnels.begin(), profile.Tunnels.end(), [](int tunnels) { return tunnels >= 0; }));
 }
 
-/** No approximation exceeds the budget, nor, in its components, do the tetrahedra that are glued at faces. */
+/**
+ * No approximation exceeds the budget. Components are also counted as tetrahedra connected across
+ * faces.
+ */
 template <int D>
 void CheckBudget(const Decomposition<D>& mesh, const Carving<D>& carved)
 {
@@ -81,7 +86,7 @@ void CheckBudget(const Decomposition<D>& mesh, const Carving<D>& carved)
   }
 }
 
-/** The chain passes approximations of the profile's sizes, forward and backward. */
+/** Forward and backward, the chain has the sizes that the profile states. */
 template <int D>
 void CheckChain(const Carving<D>& carved)
 {
@@ -105,7 +110,7 @@ void CheckChain(const Carving<D>& carved)
   }
 }
 
-/** What a file does not keep of a stream is found again. */
+/** The parts of a stream that files omit can be restored. */
 template <int D>
 void CheckRestoring(const StoredStream<D>& stored)
 {
@@ -119,7 +124,7 @@ void CheckRestoring(const StoredStream<D>& stored)
   Require(restored.Sides == stored.Sides);
 }
 
-/** Levels of a stream with some damage, as a file may have it, mean nothing; but cutting them ends. */
+/** Cutting levels of a damaged stream, as a file may contain it, ends and keeps all faces. */
 template <int D>
 void CheckDamaged(Bytes& bytes, StoredStream<D> stored, const std::vector<int>& steps)
 {

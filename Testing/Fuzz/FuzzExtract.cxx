@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fuzz target: vtkExtractCarvedLOD with streams as files may have them. Whole ones give the levels that they
- * stand for; of damaged and foreign ones whatever comes out hangs together.
+ * Fuzz target: vtkExtractCarvedLOD on streams as files may contain them. Levels of an intact stream
+ * have the right size; levels of a damaged or foreign one are valid data.
  */
 #include "Carving.h"
 #include "Convert/ArrayTools.h"
@@ -30,7 +30,7 @@ using namespace carving;
 namespace
 {
 
-/** All corners are points, and there is a tuple of data for each point and cell. */
+/** Every corner is a point, and every array has one tuple per point or cell. */
 void CheckLevel(vtkPolyData* level)
 {
   const vtkIdType numberOfPoints = level->GetNumberOfPoints();
@@ -52,7 +52,7 @@ void CheckLevel(vtkPolyData* level)
   }
 }
 
-/** Asks for levels in all ways. */
+/** Extracts levels by every kind of target. */
 void Extract(Bytes& bytes, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkExtractCarvedLOD> extract;
@@ -85,7 +85,7 @@ void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
   std::iota(cellIds.begin(), cellIds.end(), 0);
   FillStream(carved.Stored, carved.Profile, input, cellIds, grid);
-  // Data of the input's own.
+  // The input's own data.
   auto numbers = MakeArray<vtkDoubleArray>("Numbers", grid->GetNumberOfPoints());
   numbers->Fill(1.0);
   grid->GetPointData()->AddArray(numbers);
@@ -96,7 +96,7 @@ void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, 0.25);
 }
 
-/** An unchanged stream gives as many faces as its profile says. */
+/** A level of an intact stream has as many faces as the profile states. */
 template <int D>
 void CheckWhole(const Carving<D>& carved, vtkUnstructuredGrid* grid)
 {
@@ -117,7 +117,7 @@ void ExtractDamaged(Bytes& bytes)
   const Carving<D> carved = CarveWith(bytes, MakeDecomposition<D>(bytes));
   vtkNew<vtkUnstructuredGrid> grid;
   FillGrid(carved, grid);
-  if (!carved.Stored.Mesh.Surface.Facets.empty()) // M has some
+  if (!carved.Stored.Mesh.Surface.Facets.empty()) // M is not empty
   {
     CheckWhole(carved, grid);
   }
@@ -132,7 +132,7 @@ void ExtractDamaged(Bytes& bytes)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  vtkObject::GlobalWarningDisplayOff(); // errors are what is wanted
+  vtkObject::GlobalWarningDisplayOff(); // errors are expected
   Bytes bytes(data, size);
   switch (bytes.Below(4))
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Fuzz target: what a host and the helper program read of each other. What is accepted is written again as
- * it was, and a reply can be carved.
+ * Fuzz target: the messages between a host and the helper program. An accepted message is written
+ * back with equal bytes, and an accepted reply can be carved.
  */
 #include "Carving.h"
 #include "Core/Carving/Carver.h"
@@ -19,7 +19,7 @@ using namespace carving;
 namespace
 {
 
-/** Reads a message; whether it was accepted. */
+/** Reads a message; returns whether it is accepted. */
 template <class Message>
 bool ReadBack(const Bytes& bytes, Message& message)
 {
@@ -38,7 +38,7 @@ void Carve(Bytes settings, const Decomposition<D>& mesh)
 {
   if (mesh.Cells.empty())
   {
-    return; // the reply has none of this dimension
+    return; // the reply has no cells of this dimension
   }
   const Carving<D> carved = CarveWith(settings, mesh);
   for (const int step : carved.Steps)

@@ -27,13 +27,13 @@ vtkIdType DrawIndex(Bytes& bytes, vtkIdType count)
   return (high + bytes.Below(256)) % count;
 }
 
-/** A small integer, which may fit, or any number. */
+/** A small integer, which may be valid, or any number. */
 double DrawValue(Bytes& bytes)
 {
   return bytes.Below(4) > 0 ? bytes.Below(256) - 4.0 : bytes.Double();
 }
 
-/** A small id, which may fit, or one that does not. */
+/** A small id, which may be valid, or an invalid one. */
 vtkIdType DrawId(Bytes& bytes)
 {
   switch (bytes.Below(8))
@@ -71,7 +71,7 @@ void DamageIds(Bytes& bytes, vtkDataArray* ids)
   }
 }
 
-/** A value, which the array's own type may have no place for. */
+/** Changes a value, possibly to one that the array's own type cannot represent. */
 void DamageValue(Bytes& bytes, vtkFieldData* data, vtkDataArray* array)
 {
   auto changed = MakeArray<vtkDoubleArray>("", 0);

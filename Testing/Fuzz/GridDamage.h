@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Unstructured grids as damaged or foreign files may have them, drawn from bytes.
+ * Unstructured grids as damaged or foreign files may contain them, drawn from bytes.
  */
 #ifndef GridDamage_h
 #define GridDamage_h
@@ -10,10 +10,13 @@
 
 class vtkUnstructuredGrid;
 
-/** Changes one thing: a corner, a type or an offset of a cell, a coordinate, or an array's values or form. */
+/**
+ * Makes one change: to a corner, type or offset of a cell, to a coordinate, or to an array's values
+ * or form.
+ */
 void Damage(Bytes& bytes, vtkUnstructuredGrid* grid);
 
-/** Any cells of few points, with some arrays that are called like those of a stream. */
+/** Adds random cells of few points, and arrays with the names of a stream's arrays. */
 void MakeForeign(Bytes& bytes, vtkUnstructuredGrid* grid);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * fuzz-seeds FOLDER: writes what the fuzz targets start from into FOLDER/core, FOLDER/extract and
- * FOLDER/protocol.
+ * fuzz-seeds FOLDER: writes the initial corpora of the fuzz targets to FOLDER/core, FOLDER/extract
+ * and FOLDER/protocol.
  */
 #include "Core/Protocol/Protocol.h"
 #include "Decompositions.h"

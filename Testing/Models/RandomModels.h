@@ -38,7 +38,7 @@ TriangleMesh Assembly(int n, std::mt19937_64& random);
 /** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 
-/** A random mesh and what is known about it. */
+/** A random mesh and its known properties. */
 struct RandomModel
 {
   TriangleMesh Mesh;

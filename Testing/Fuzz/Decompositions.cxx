@@ -148,9 +148,10 @@ void Constrain(Bytes& bytes, Decomposition<D>& mesh)
       const auto outward = mesh.OutwardFace(cell, f);
       const bool flipped = consistent ? !within[cell] : bytes.Bit();
       surface.Facets.push_back(flipped ? Flipped<D>(outward) : outward);
-      const int count = consistent ? 1 : 1 + bytes.Below(3);
-      surface.Multiplicities.push_back(count);
-      surface.SignedMultiplicities.push_back(consistent ? 1 : bytes.Below(2 * count + 1) - count);
+      const int multiplicity = consistent ? 1 : 1 + bytes.Below(3);
+      surface.Multiplicities.push_back(multiplicity);
+      surface.SignedMultiplicities.push_back(
+        consistent ? 1 : bytes.Below(2 * multiplicity + 1) - multiplicity);
       surface.FacetSources.push_back(static_cast<int>(surface.FacetSources.size()));
     }
   }

@@ -35,7 +35,7 @@ void ExpectTopology(const Carved& carved, int step);
 
 /**
  * Expects, at some steps of the stream:
- * 1. Every level contains M, the volume and the silhouettes never grow.
+ * 1. Every level contains M. The volume and the silhouettes never grow.
  * 2. The number of input vertices, the components and the voids never decrease. The first level is
  *    C0, and the last is M.
  * 3. Level vertices are input vertices, bit for bit.

@@ -211,8 +211,8 @@ TEST(Enclose, KeepsWhatIsPierced)
   EXPECT_GT(kept, 0);
 }
 
-// The rule decides what is solid of a box inside a box: both boxes, the space between them, or
-// nothing.
+// The rule decides which part of a box inside a box is solid: both boxes, the space between them, or
+// none.
 TEST(Enclose, KnowsSolidsByEveryRule)
 {
   const HelperRun run = RunEnclosing(

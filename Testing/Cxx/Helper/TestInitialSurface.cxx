@@ -89,9 +89,9 @@ TEST(InitialSurface, MayTouchTheInput)
   const HelperRun run = RunWithin(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 }));
   ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
   EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 12.0, 1e-12);
-  for (const int count : run.Reply.Result.Surface.Multiplicities)
+  for (const int multiplicity : run.Reply.Result.Surface.Multiplicities)
   {
-    EXPECT_EQ(count, 1);
+    EXPECT_EQ(multiplicity, 1);
   }
   EXPECT_EQ(run.Reply.IntersectingPairs, 0);
 }

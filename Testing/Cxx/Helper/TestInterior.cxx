@@ -110,8 +110,7 @@ TEST(Interior, IsUnknownOfOpenMeshes)
   EXPECT_EQ(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
 }
 
-// Where TetGen fails on the whole mesh, it is tried without the interior, if the job says what is
-// solid.
+// Where TetGen fails on the whole mesh, the next attempt is without the interior of the solid.
 TEST(Interior, IsDroppedWhereTetGenFailsOnTheWhole)
 {
   std::mt19937_64 random(2);

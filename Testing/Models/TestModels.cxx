@@ -77,8 +77,8 @@ double SixVolume(const TriangleMesh& mesh)
 /** Whether the triangles around every point are one cycle, and the volume inside is positive. */
 bool IsSolid(const TriangleMesh& mesh)
 {
-  std::map<std::pair<int, int>, int>
-    next; // around a point, the neighbor that follows another neighbor
+  // For a point and a neighbor, the neighbor that follows around the point.
+  std::map<std::pair<int, int>, int> next;
   std::vector<int> degrees(mesh.Points.size(), 0), neighbors(mesh.Points.size(), -1);
   for (const Triangle& t : mesh.Triangles)
   {

@@ -159,8 +159,12 @@ void Budget<D>::Requeue(int cell, const RemovalEffect<D>& effect)
 template <int D>
 const Candidate* Budget<D>::GetBest()
 {
+  if (this->NumberDeferred == 0)
+  {
+    return nullptr;
+  }
   const Candidate* best = nullptr;
-  for (int number = 0; number<NumberOfLimits&& this->NumberDeferred> 0; ++number)
+  for (int number = 0; number < NumberOfLimits; ++number)
   {
     for (int amount = 1; amount <= LargestAmount; ++amount)
     {

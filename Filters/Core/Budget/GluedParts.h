@@ -25,10 +25,7 @@ namespace carving
 class GluedParts
 {
 public:
-  /**
-   * Starts from C0, a ball. `cells` must outlive this object; the states of the cells are read
-   * later.
-   */
+  /** Starts from C0, a ball. `cells`, whose states may change, must outlive this object. */
   GluedParts(const Decomposition<3>& mesh, const RemainingCells<3>& cells);
 
   /** Prefetches a cell that may soon be examined. */
@@ -38,9 +35,8 @@ public:
   }
 
   /**
-   * Returns labels per face of the cell: the components of N without the cell. Before the results
-   * are exact, two neighbors have equal labels only if the tetrahedra around an edge of the cell
-   * join them.
+   * Returns labels per face of the cell: the components of N without the cell. Until MakeExact, two
+   * neighbors have equal labels only if the tetrahedra around edges of the cell join them.
    */
   Labels<4> Examine(int cell);
 
@@ -53,7 +49,7 @@ public:
     this->Graph.KeepAsBridge(cell, labels);
   }
 
-  /** The number of components. Before the results are exact: an upper bound. */
+  /** The number of components. Until MakeExact: an upper bound. */
   int GetComponents() const
   {
     return this->Components;

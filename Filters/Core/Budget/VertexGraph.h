@@ -32,7 +32,7 @@ template <int D>
 class VertexGraph
 {
 public:
-  /** The mesh and the states, which are read later too, must outlive this object. */
+  /** The mesh and the states, which may change, must outlive this object. */
   VertexGraph(const Decomposition<D>& mesh, const std::vector<CellState>& states);
 
   /** The number of components of K, in linear time. */
@@ -66,7 +66,7 @@ public:
     this->Enter(this->NodeOf[this->Mesh.Cells[cell][corner]], search);
   }
 
-  /** Follows one link: a node that stands for a large part of M has too many for one step. */
+  /** Follows one link. A node that stands for a large part of M has too many links for one step. */
   template <class Search>
   bool Step(int cell, Place& place, Search search);
 
@@ -114,7 +114,7 @@ private:
   std::vector<ReachedBy> Reached; ///< per node
   std::vector<Edge> Edges;
   std::vector<int> JoiningCells;
-  std::optional<Buckets<Link>> Links; ///< per node
+  std::optional<Buckets<Link>> Links; ///< per node; empty until a search needs them
   std::vector<int> LinkCount;         ///< per node: the number of its links that are in use
 };
 

@@ -23,6 +23,10 @@ template <class Visit>
 void VisitCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> wanted, const Visit& visit)
 {
   vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
+  if (ghosts && ghosts->GetNumberOfTuples() != input->GetNumberOfCells())
+  {
+    ghosts = nullptr; // arrays of a wrong length are left out
+  }
   constexpr unsigned char skipped =
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   vtkIdType id = 0;

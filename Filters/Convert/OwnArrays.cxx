@@ -62,27 +62,54 @@ void Rename(
   }
 }
 
-} // namespace
-
-vtkSmartPointer<vtkPolyData> RenameForeignArrays(
-  vtkPolyData* input, std::vector<std::string>& notes)
+/** Removes arrays that do not have `count` values, and adds their names and numbers to the list. */
+void RemoveMismatched(vtkDataSetAttributes* attributes, vtkIdType count, const char* elements,
+  std::vector<std::string>& list)
 {
-  auto renamed = vtkSmartPointer<vtkPolyData>::New();
-  renamed->ShallowCopy(input);
-  std::vector<std::string> list;
-  Rename(renamed->GetCellData(), CellNames, list);
-  Rename(renamed->GetPointData(), PointNames, list);
-  if (list.empty())
+  for (int i = attributes->GetNumberOfArrays(); i-- > 0;)
   {
-    return input;
+    vtkAbstractArray* array = attributes->GetAbstractArray(i);
+    const vtkIdType values = array->GetNumberOfTuples();
+    if (values != count)
+    {
+      const char* name = array->GetName();
+      list.push_back("\"" + std::string(name ? name : "") + "\" (" + std::to_string(values) +
+        " for " + std::to_string(count) + " " + elements + ")");
+      attributes->RemoveArray(i);
+    }
   }
-  std::string note = "Arrays of the input that have names of the carver's arrays were renamed: ";
+}
+
+void AddNote(const std::string& beginning, const std::vector<std::string>& list,
+  std::vector<std::string>& notes)
+{
+  std::string note = beginning;
   for (std::size_t i = 0; i < list.size(); ++i)
   {
-    note += (i > 0 ? ", " : "") + list[i];
+    note += (i > 0 ? ", " : " ") + list[i];
   }
-  notes.push_back(note + ".");
-  return renamed;
+  if (!list.empty())
+  {
+    notes.push_back(note + ".");
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> WithUsableArrays(vtkPolyData* input, std::vector<std::string>& notes)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(input);
+  std::vector<std::string> mismatched, renamed;
+  RemoveMismatched(copy->GetCellData(), input->GetNumberOfCells(), "cells", mismatched);
+  RemoveMismatched(copy->GetPointData(), input->GetNumberOfPoints(), "points", mismatched);
+  Rename(copy->GetCellData(), CellNames, renamed);
+  Rename(copy->GetPointData(), PointNames, renamed);
+  AddNote(
+    "Arrays of the input without one value for each element were left out:", mismatched, notes);
+  AddNote(
+    "Arrays of the input that have names of the carver's arrays were renamed:", renamed, notes);
+  return mismatched.empty() && renamed.empty() ? vtkSmartPointer<vtkPolyData>(input) : copy;
 }
 
 void RemoveOwnFieldData(vtkFieldData* fieldData, vtkFieldData* settings)

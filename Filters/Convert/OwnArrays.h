@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Arrays of the input that have the names of arrays that the carvers write.
+ * Arrays of the input that cannot be passed on as they are.
  */
 #ifndef OwnArrays_h
 #define OwnArrays_h
@@ -15,11 +15,12 @@ class vtkFieldData;
 class vtkPolyData;
 
 /**
- * Renames cell and point arrays whose names the outputs use, and adds a note about them. Returns
- * the input itself if it has no such arrays, else a copy that shares all other data with the input.
+ * Renames cell and point arrays whose names the outputs use, and removes arrays whose length is not
+ * the number of cells or points (VTK 9.1 reads OBJ files with lines so). Adds a note about either.
+ * Returns the input itself if all arrays can stay, else a copy that shares all other data with the
+ * input.
  */
-vtkSmartPointer<vtkPolyData> RenameForeignArrays(
-  vtkPolyData* input, std::vector<std::string>& notes);
+vtkSmartPointer<vtkPolyData> WithUsableArrays(vtkPolyData* input, std::vector<std::string>& notes);
 
 /**
  * Removes the field data that a carving writes, including the arrays that have the names of

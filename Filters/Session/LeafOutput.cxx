@@ -61,7 +61,7 @@ bool LeafOutput<D>::Write(
   const CarverStages::Timer timer(this->Stages, OutputStage);
   this->PassFieldData(input);
   std::vector<std::string> notes = leaf.Input.Notes;
-  const vtkSmartPointer<vtkPolyData> attributes = RenameForeignArrays(input, notes);
+  const vtkSmartPointer<vtkPolyData> attributes = WithUsableArrays(input, notes);
   Describe(leaf, carved, notes);
   WriteNotes(notes, this->Ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);

@@ -239,6 +239,26 @@ TEST(OwnArrays, KeepTheInputsUnderAnotherName)
   EXPECT_TRUE(input->GetCellData()->HasArray("Priority")) << "the input is as it was";
 }
 
+// Arrays that are shorter or longer than the number of elements are left out, and a note says so.
+TEST(OwnArrays, LeaveOutArraysOfAWrongLength)
+{
+  auto input = TwoBoxes();
+  AddNumbers<vtkIntArray>(input->GetCellData(), "Short", input->GetNumberOfCells() - 1, 0.0);
+  AddNumbers<vtkIntArray>(input->GetCellData(), "Right", input->GetNumberOfCells(), 0.0);
+  AddNumbers<vtkDoubleArray>(input->GetPointData(), "Long", input->GetNumberOfPoints() + 1, 0.0);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  carver->Update();
+  const std::string notes = GetNotes(carver);
+  EXPECT_NE(
+    notes.find("\"Short\" (23 for 24 cells), \"Long\" (17 for 16 points)"), std::string::npos)
+    << notes;
+  vtkPolyData* level = GetLevel(carver, 1);
+  EXPECT_FALSE(level->GetCellData()->HasArray("Short"));
+  EXPECT_TRUE(level->GetCellData()->HasArray("Right"));
+  EXPECT_FALSE(level->GetPointData()->HasArray("Long"));
+}
+
 // A level that is carved again keeps the arrays of its cells beside the new ones.
 TEST(OwnArrays, KeepTheArraysOfALevelThatIsCarvedAgain)
 {

@@ -220,7 +220,8 @@ private:
       next = this->Queue.top();
       this->Queue.pop();
       this->FetchTop();
-      // The other entries are out of date: their cells have been carved in another's step, or deferred.
+      // The other entries are out of date: their cells have been carved in another's step, or
+      // deferred.
       if (this->Cells[next.Cell].Step == Stream::Never && !this->IsDeferred(next.Cell))
       {
         return true;
@@ -272,7 +273,9 @@ private:
     }
   }
 
-  /** Carves from the popped cell outward to the breadth radius (section 5.4). Appends to `taken`. */
+  /**
+   * Carves from the popped cell outward to the breadth radius (section 5.4). Appends to `taken`.
+   */
   void WalkBreadth(int step, std::vector<int>& taken)
   {
     const double radius = this->Options.BreadthRadius;
@@ -296,7 +299,10 @@ private:
     }
   }
 
-  /** Carves the cells that `taken` exposes, and those exposed by these in turn (section 3.4). Appends to `taken`. */
+  /**
+   * Carves the cells that `taken` exposes, and those exposed by these in turn (section 3.4).
+   * Appends to `taken`.
+   */
   void CascadeExposed(int step, std::vector<int>& taken)
   {
     const std::size_t walked = taken.size();

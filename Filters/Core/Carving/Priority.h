@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The priority measures of section 4: how much a cell (a tetrahedron; in the plane, a triangle) matters.
+ * The priority measures of section 4: how much a cell (a tetrahedron; in the plane, a triangle)
+ * matters.
  */
 #ifndef carving_Priority_h
 #define carving_Priority_h
@@ -26,7 +27,10 @@ enum class PriorityMeasure : int
 template <int D>
 std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure);
 
-/** A priority as a length: l, the D-th root of v, 2 r, or the value of EdgeVolume itself. Not in the paper. */
+/**
+ * A priority as a length: l, the D-th root of v, 2 r, or the value of EdgeVolume itself. Not in the
+ * paper.
+ */
 template <int D>
 double PriorityAsLength(double priority, PriorityMeasure measure);
 

@@ -15,8 +15,8 @@ namespace carving
 /**
  * The order in which a carving removes tetrahedra (section 3.3).
  *
- * A step is one pop from the queue, with the tetrahedra that follow it. Step 0 is the initial approximation C0,
- * so that a stream of n steps has n + 1 approximations.
+ * A step is one pop from the queue, with the tetrahedra that follow it. Step 0 is the initial
+ * approximation C0, so that a stream of n steps has n + 1 approximations.
  */
 struct Stream
 {

@@ -23,9 +23,10 @@ struct EdgeEnd
 /**
  * The changes of V - E + F - T, step by step.
  *
- * A face vanishes with the later of its two cells. An edge vanishes with the last of the cells around it, which is
- * removed after both of its neighbors in the rotation around the edge. So each cell records the faces that are its
- * own alone when it is removed, and the edges between two such faces.
+ * A face vanishes with the later of its two cells. An edge vanishes with the last of the cells
+ * around it, which is removed after both of its neighbors in the rotation around the edge. So each
+ * cell records the faces that are its own alone when it is removed, and the edges between two such
+ * faces.
  */
 template <int D>
 class EulerCharacteristics
@@ -165,7 +166,8 @@ private:
           visit(end.Edge[0], End(end.Edge[1], end.Step));
         }
       });
-    // Per other vertex: the last vertex that it shared an edge with, and the edge's entry in `steps`.
+    // Per other vertex: the last vertex that it shared an edge with, and the edge's entry in
+    // `steps`.
     std::vector<std::pair<int, int>> last(this->Mesh.Surface.Points.size(), { -1, 0 });
     std::vector<int> steps;
     for (int vertex = 0; vertex < ends.GetNumberOfBuckets(); ++vertex)

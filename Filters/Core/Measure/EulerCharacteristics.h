@@ -15,7 +15,8 @@ namespace carving
 {
 
 /**
- * Per step, V - E + F - T of the closed complex K (in the plane, V - E + F). Linear in the number of cells.
+ * Per step, V - E + F - T of the closed complex K (in the plane, V - E + F). Linear in the number
+ * of cells.
  */
 template <int D>
 std::vector<int> ComputeEulerCharacteristics(const Decomposition<D>& mesh, const Stream& stream);

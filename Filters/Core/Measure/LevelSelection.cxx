@@ -16,7 +16,10 @@ namespace carving
 namespace
 {
 
-/** The last step such that all counts up to it are at most `limit`; -1 if even that of C0 exceeds it. */
+/**
+ * The last step such that all counts up to it are at most `limit`; -1 if even that of C0 exceeds
+ * it.
+ */
 int LastStepWithin(const std::vector<int>& counts, double limit)
 {
   const auto exceeding =
@@ -72,7 +75,10 @@ SelectedStep SelectNearest(int last, double target)
   return { step > last ? last : 0, problem.str() };
 }
 
-/** Bisects the widest gap between steps, the first of equal ones, until there are as many steps as wanted. */
+/**
+ * Bisects the widest gap between steps, the first of equal ones, until there are as many steps as
+ * wanted.
+ */
 void HalveGaps(int wanted, std::set<int>& steps)
 {
   using Gap = std::pair<int, int>; // the width and the negative of the first step

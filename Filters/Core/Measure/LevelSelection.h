@@ -16,9 +16,9 @@ namespace carving
 {
 
 /**
- * At most `count` steps, ascending, from 0 to the stream's last, with vertex counts that grow geometrically. If
- * there are too few distinct vertex counts, the rest are spread by steps; if there are too few steps, all are given.
- * A count of 1 gives the last step alone.
+ * At most `count` steps, ascending, from 0 to the stream's last, with vertex counts that grow
+ * geometrically. If there are too few distinct vertex counts, the rest are spread by steps; if
+ * there are too few steps, all are given. A count of 1 gives the last step alone.
  */
 std::vector<int> SpreadLevels(const Profile& profile, int count);
 
@@ -44,10 +44,11 @@ struct SelectedStep
 };
 
 /**
- * The step that a target selects. Vertices, Triangles, Tunnels, Components: the last step such that it and all
- * earlier ones have at most `target`. FeatureSize, a length: the step before the first pop with a priority of at
- * most `target`. ErrorBound: the first step such that neither it nor any later one is farther than `target` from M.
- * Step: `target` itself. If no step meets the target, the nearest one is selected.
+ * The step that a target selects. Vertices, Triangles, Tunnels, Components: the last step such that
+ * it and all earlier ones have at most `target`. FeatureSize, a length: the step before the first
+ * pop with a priority of at most `target`. ErrorBound: the first step such that neither it nor any
+ * later one is farther than `target` from M. Step: `target` itself. If no step meets the target,
+ * the nearest one is selected.
  */
 SelectedStep SelectStep(const Profile& profile, LevelTarget type, double target);
 

@@ -26,8 +26,9 @@ void Count(std::vector<int>& differences, int birth, int death)
 }
 
 /**
- * The volume that oriented triangles bound, by the divergence theorem, or the area that oriented edges bound: half
- * the length of the sum of their moments. An origin near the faces keeps rounding errors small.
+ * The volume that oriented triangles bound, by the divergence theorem, or the area that oriented
+ * edges bound: half the length of the sum of their moments. An origin near the faces keeps rounding
+ * errors small.
  */
 class BoundedVolume
 {
@@ -61,7 +62,10 @@ private:
   Point Moments = {};
 };
 
-/** Sets the volumes from the final one, `left`, and from the volumes of the cells that each step removes. */
+/**
+ * Sets the volumes from the final one, `left`, and from the volumes of the cells that each step
+ * removes.
+ */
 template <int D>
 void SetVolumes(Profile& profile, const StoredStream<D>& stream, double left)
 {

@@ -15,16 +15,20 @@ namespace carving
 {
 
 /**
- * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are counted before the approximation
- * is cut into manifolds.
+ * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are counted before
+ * the approximation is cut into manifolds.
  */
 struct Profile
 {
   std::vector<int> Vertices;
   std::vector<int> Triangles;
-  /** The volume (in the plane, the area) of the solid and the remaining cells. Does not increase. */
+  /**
+   * The volume (in the plane, the area) of the solid and the remaining cells. Does not increase.
+   */
   std::vector<double> Volume;
-  /** The Betti numbers of the closed complex K, set by SetTopology. In the plane, tunnels are holes. */
+  /**
+   * The Betti numbers of the closed complex K, set by SetTopology. In the plane, tunnels are holes.
+   */
   std::vector<int> Components;
   std::vector<int> Tunnels;
   std::vector<int> Voids;
@@ -42,8 +46,9 @@ struct Profile
 };
 
 /**
- * Computes everything except topology and errors, in time linear in the number of cells, from the steps in which
- * each vertex and face appears and vanishes and from the volumes that each step removes.
+ * Computes everything except topology and errors, in time linear in the number of cells, from the
+ * steps in which each vertex and face appears and vanishes and from the volumes that each step
+ * removes.
  */
 template <int D>
 Profile ComputeProfile(const StoredStream<D>& stream);

@@ -31,7 +31,10 @@ int LongestSide(const FacetCorners<D>& piece)
   return longest;
 }
 
-/** The radius of the smallest ball around a face. No point of the face is farther from the nearest corner. */
+/**
+ * The radius of the smallest ball around a face. No point of the face is farther from the nearest
+ * corner.
+ */
 template <int D>
 double BallRadius(const FacetCorners<D>& face)
 {

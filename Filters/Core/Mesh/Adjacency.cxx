@@ -54,7 +54,10 @@ Buckets<Face<D>> CollectFaces(const Decomposition<D>& mesh)
     } };
 }
 
-/** Connects the cells of equal faces. A facet of M comes first. Returns false if the faces do not fit. */
+/**
+ * Connects the cells of equal faces. A facet of M comes first. Returns false if the faces do not
+ * fit.
+ */
 template <int D>
 bool Connect(const Face<D>* first, const Face<D>* last, Decomposition<D>& mesh)
 {

@@ -12,8 +12,9 @@ namespace carving
 {
 
 /**
- * Computes `Neighbors` and `Constraints` from `Cells` and `Surface.Facets`. Takes O(n log d) time, where at
- * most d cells meet in a vertex. Returns false if three cells share a face, or two facets are equal.
+ * Computes `Neighbors` and `Constraints` from `Cells` and `Surface.Facets`. Takes O(n log d) time,
+ * where at most d cells meet in a vertex. Returns false if three cells share a face, or two facets
+ * are equal.
  */
 template <int D>
 bool FindAdjacency(Decomposition<D>& mesh);

@@ -15,8 +15,8 @@ namespace carving
 {
 
 /**
- * Items grouped by small numbers (counting sort into compressed sparse rows), in linear time. Each bucket
- * keeps its items in the order in which they were visited.
+ * Items grouped by small numbers (counting sort into compressed sparse rows), in linear time. Each
+ * bucket keeps its items in the order in which they were visited.
  */
 template <class Item>
 class Buckets
@@ -39,15 +39,15 @@ public:
   };
 
   /**
-   * `forEach` calls its argument with the bucket and the item of every item. It runs twice and has to
-   * visit the same items in the same order.
+   * `forEach` calls its argument with the bucket and the item of every item. It runs twice and has
+   * to visit the same items in the same order.
    */
   template <class ForEach>
   Buckets(std::size_t numberOfBuckets, ForEach&& forEach)
     : Begins(numberOfBuckets + 2, 0)
   {
-    // Counts are two entries ahead, so that their sums, the begins, are one entry ahead. Placing the items of a
-    // bucket moves its begin to its end, which is the begin of the next bucket.
+    // Counts are two entries ahead, so that their sums, the begins, are one entry ahead. Placing
+    // the items of a bucket moves its begin to its end, which is the begin of the next bucket.
     forEach([this](int bucket, const Item&) { ++this->Begins[bucket + 2]; });
     std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
     this->Items.resize(this->Begins.back());

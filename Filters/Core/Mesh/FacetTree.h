@@ -33,8 +33,8 @@ double DistanceTo(const FacetCorners<2>& edge, const Point& p);
 double DistanceTo(const FacetCorners<3>& triangle, const Point& p);
 
 /**
- * A bounding volume hierarchy of axis-aligned boxes around facets. Most queries start far from all facets,
- * where VTK's locators, which search a grid of buckets, take many times as long.
+ * A bounding volume hierarchy of axis-aligned boxes around facets. Most queries start far from all
+ * facets, where VTK's locators, which search a grid of buckets, take many times as long.
  */
 template <int D>
 class FacetTree

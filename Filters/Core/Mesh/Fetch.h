@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Prefetching for loops over all cells, whose neighbors are scattered in memory. The functions are always
- * inlined: a compiler may drop calls of functions without visible effects.
+ * Prefetching for loops over all cells, whose neighbors are scattered in memory. The functions are
+ * always inlined: a compiler may drop calls of functions without visible effects.
  */
 #ifndef carving_Fetch_h
 #define carving_Fetch_h
@@ -26,7 +26,9 @@ template <int D, class... Values>
   }
 }
 
-/** In a loop over all cells that has reached `cell`: does the same for a cell some iterations ahead. */
+/**
+ * In a loop over all cells that has reached `cell`: does the same for a cell some iterations ahead.
+ */
 template <int D, class... Values>
 [[gnu::always_inline]] inline void FetchAhead(
   const Decomposition<D>& mesh, int cell, const std::vector<Values>&... arrays)

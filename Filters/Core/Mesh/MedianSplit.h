@@ -14,9 +14,10 @@ namespace carving
 {
 
 /**
- * Reorders the items so that those below the median of an axis come first, and returns the first of the
- * others. The axis is the one on which `extent` is longest. `centerOf` and `indexOf` give the point and the
- * number of an item; the number breaks ties, so that the order never depends on the library.
+ * Reorders the items so that those below the median of an axis come first, and returns the first of
+ * the others. The axis is the one on which `extent` is longest. `centerOf` and `indexOf` give the
+ * point and the number of an item; the number breaks ties, so that the order never depends on the
+ * library.
  */
 template <class Iterator, class CenterOf, class IndexOf>
 Iterator SplitAtMedian(

@@ -32,9 +32,9 @@ struct ContourSet
 };
 
 /**
- * The input M after cleaning and resolving. Facets are triangles in space (D = 3) or edges in a plane
- * (D = 2). No two points are equal, no facet is degenerate, and any two facets meet in shared vertices and
- * edges only.
+ * The input M after cleaning and resolving. Facets are triangles in space (D = 3) or edges in a
+ * plane (D = 2). No two points are equal, no facet is degenerate, and any two facets meet in shared
+ * vertices and edges only.
  */
 template <int D>
 struct ResolvedInput
@@ -45,7 +45,9 @@ struct ResolvedInput
   std::vector<std::array<int, D>> Facets;
   /** Per facet: the given facet that it is, or is a part of. */
   std::vector<int> FacetSources;
-  /** Per facet: the number of given facets merged into it. Those of opposite orientation count -1. */
+  /**
+   * Per facet: the number of given facets merged into it. Those of opposite orientation count -1.
+   */
   std::vector<int> SignedMultiplicities;
   /** Per facet: the number of given facets merged into it, whatever their orientation. */
   std::vector<int> Multiplicities;
@@ -67,7 +69,10 @@ void AppendFacet(const ResolvedInput<D>& from, std::size_t i, const std::array<i
 constexpr int Outside = -1; ///< the exterior of C0
 constexpr int Solid = -2;   ///< the solid of M, if its cells are not stored
 
-/** The corners of each face of a positively oriented tetrahedron. The tetrahedron lies behind the face. */
+/**
+ * The corners of each face of a positively oriented tetrahedron. The tetrahedron lies behind the
+ * face.
+ */
 constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 /** The two corners of a tetrahedron other than p and q, the smaller first. */
@@ -78,11 +83,12 @@ constexpr std::array<int, 2> OtherCorners(int p, int q)
 }
 
 /**
- * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space (D = 3),
- * triangles in a plane (D = 2).
+ * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space
+ * (D = 3), triangles in a plane (D = 2).
  *
- * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0 in space, counter-clockwise in the plane.
- * Face f of a cell is opposite to corner f. A face is constraining if it lies on a facet of M.
+ * Cells are positively oriented: (b - a) x (c - a) . (d - a) > 0 in space, counter-clockwise in the
+ * plane. Face f of a cell is opposite to corner f. A face is constraining if it lies on a facet of
+ * M.
  */
 template <int D>
 struct Decomposition
@@ -96,8 +102,8 @@ struct Decomposition
   std::vector<Cell> Neighbors;   ///< per face: the other cell, Outside or Solid
   std::vector<Cell> Constraints; ///< per face: the facet of M that it lies on, or -1
 
-  // In enclosing mode M need not be a union of faces. `Surface` then consists of the faces that overlap a
-  // triangle of M in an area.
+  // In enclosing mode M need not be a union of faces. `Surface` then consists of the faces that
+  // overlap a triangle of M in an area.
   std::vector<char>
     Kept; ///< per cell: M pierces the cell, which is never carved; empty in exact mode
   ResolvedInput<D> Unresolved; ///< M itself; empty in exact mode

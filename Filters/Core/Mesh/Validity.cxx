@@ -24,7 +24,10 @@ bool AreFinite(const std::vector<Point>& points)
   return finite;
 }
 
-/** A signed multiplicity is a sum of as many signs as the multiplicity. The sum of all must not overflow. */
+/**
+ * A signed multiplicity is a sum of as many signs as the multiplicity. The sum of all must not
+ * overflow.
+ */
 template <int D>
 bool MultiplicitiesArePossible(const ResolvedInput<D>& input)
 {
@@ -89,8 +92,9 @@ int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& f
 /**
  * Whether both cells of every face agree on its corners, its cells and its constraint.
  *
- * Each face is compared once, by its cell with the lower index. No two cells match the same face of a
- * neighbor. If the cells with the higher index have as many faces, all of them have been compared.
+ * Each face is compared once, by its cell with the lower index. No two cells match the same face of
+ * a neighbor. If the cells with the higher index have as many faces, all of them have been
+ * compared.
  */
 template <int D>
 bool NeighborsAgree(const Decomposition<D>& mesh)

@@ -48,9 +48,9 @@ bool CornersDiffer(const Tuples& tuples)
 }
 
 /**
- * The first violation of the contract of Decomposition, or an empty string. Checks array lengths, indices,
- * the agreement of neighbors, cells and facets, and that coordinates are finite. Does not check whether cells
- * overlap in space.
+ * The first violation of the contract of Decomposition, or an empty string. Checks array lengths,
+ * indices, the agreement of neighbors, cells and facets, and that coordinates are finite. Does not
+ * check whether cells overlap in space.
  */
 template <int D>
 std::string FindMistake(const Decomposition<D>& mesh);

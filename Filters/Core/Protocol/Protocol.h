@@ -3,9 +3,9 @@
  * @file
  * The messages between a host and the helper program.
  *
- * The host writes a Job to the helper's standard input and reads a Reply from its standard output, both binary.
- * On standard error, the helper writes a line per progress report (ProgressLine). Any other line there is a
- * diagnostic for the user.
+ * The host writes a Job to the helper's standard input and reads a Reply from its standard output,
+ * both binary. On standard error, the helper writes a line per progress report (ProgressLine). Any
+ * other line there is a diagnostic for the user.
  */
 #ifndef carving_Protocol_h
 #define carving_Protocol_h
@@ -36,7 +36,10 @@ enum class InitialApproximation : int
   ConvexHull = 0,
   /** The bounding box, grown by a hundredth of its diagonal on every side. */
   BoundingBox = 1,
-  /** A closed mesh of genus zero (in the plane, a simple polygon) that encloses M, given with the job. */
+  /**
+   * A closed mesh of genus zero (in the plane, a simple polygon) that encloses M, given with the
+   * job.
+   */
   Custom = 2
 };
 
@@ -53,9 +56,15 @@ struct HelperOptions
 {
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Exact;
-  /** The largest distance of kept tetrahedra from M, as a fraction of the diagonal of M's bounds; 0: unlimited. */
+  /**
+   * The largest distance of kept tetrahedra from M, as a fraction of the diagonal of M's bounds; 0:
+   * unlimited.
+   */
   double EnclosingTolerance = 0.02;
-  /** The largest displacement of points if no other exact strategy works, as the same fraction; 0: none. */
+  /**
+   * The largest displacement of points if no other exact strategy works, as the same fraction; 0:
+   * none.
+   */
   double SnapTolerance = 0.0;
   double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
@@ -118,9 +127,9 @@ void Write(std::ostream& out, const Job& job);
 void Write(std::ostream& out, const Reply& reply);
 
 /**
- * Reads the output of Write. Returns an empty string, or the mistake in the data: a foreign format, another version,
- * an early end, or an impossible number (an index out of range, say). Accepted data satisfy all contracts that
- * the other parts of the core rely on.
+ * Reads the output of Write. Returns an empty string, or the mistake in the data: a foreign format,
+ * another version, an early end, or an impossible number (an index out of range, say). Accepted
+ * data satisfy all contracts that the other parts of the core rely on.
  */
 std::string Read(const char* data, std::size_t size, Job& job);
 std::string Read(const char* data, std::size_t size, Reply& reply);

@@ -147,7 +147,10 @@ std::vector<int> FindOutside(const Classification& result)
   return outside;
 }
 
-/** Winding numbers of a closed M: a walk from the outside adds up the changes at the triangles it crosses. */
+/**
+ * Winding numbers of a closed M: a walk from the outside adds up the changes at the triangles it
+ * crosses.
+ */
 template <int D>
 void CountWindings(const Decomposition<D>& mesh, Classification& result)
 {
@@ -179,7 +182,8 @@ void CountWindings(const Decomposition<D>& mesh, Classification& result)
   }
 }
 
-// A winding number this far from the nearest integer is a guess; a magnitude of one half makes a region solid.
+// A winding number this far from the nearest integer is a guess; a magnitude of one half makes a
+// region solid.
 constexpr double GuessedFrom = 0.1;
 constexpr double SolidFrom = 0.5;
 

@@ -25,28 +25,32 @@ enum class RegionKind
 enum class SolidRule : int
 {
   /**
-   * Regions with a winding number of at least one half in magnitude. For a closed M, the numbers follow from
-   * counting crossings on paths from the outside. For an open M, and in enclosing mode, they are sums of solid
-   * angles at the centroid of the region's largest tetrahedron.
+   * Regions with a winding number of at least one half in magnitude. For a closed M, the numbers
+   * follow from counting crossings on paths from the outside. For an open M, and in enclosing mode,
+   * they are sums of solid angles at the centroid of the region's largest tetrahedron.
    */
   NonzeroWinding = 0,
   /**
-   * Regions that the path of fewest crossings from the outside reaches through an odd number of triangles. In
-   * enclosing mode, a ray from the centroid of the region's largest tetrahedron replaces the path.
+   * Regions that the path of fewest crossings from the outside reaches through an odd number of
+   * triangles. In enclosing mode, a ray from the centroid of the region's largest tetrahedron
+   * replaces the path.
    */
   EvenOdd = 1,
   /** No region: M is a surface without an inside. */
   SurfaceOnly = 2
 };
 
-/** A maximal set of tetrahedra connected through non-constraining faces. All kept tetrahedra are one region. */
+/**
+ * A maximal set of tetrahedra connected through non-constraining faces. All kept tetrahedra are one
+ * region.
+ */
 struct Region
 {
   RegionKind Kind = RegionKind::Outside;
   double Winding = 0.0; ///< with NonzeroWinding: the winding number; 0 for kind Outside
   /**
-   * The rule had to guess because M is open or inconsistently oriented: the winding number is not within 0.1 of
-   * an integer, or the parity depends on the path.
+   * The rule had to guess because M is open or inconsistently oriented: the winding number is not
+   * within 0.1 of an integer, or the parity depends on the path.
    */
   bool Guessed = false;
 };
@@ -63,8 +67,8 @@ struct Classification
 };
 
 /**
- * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A region that
- * is connected to the outside is never solid.
+ * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A
+ * region that is connected to the outside is never solid.
  */
 template <int D>
 Classification Classify(const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding);

@@ -59,7 +59,8 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point)
     const Point a = mesh.Points[corner[0]] - point;
     const Point b = mesh.Points[corner[1]] - point;
     const Point c = mesh.Points[corner[2]] - point;
-    // The ray crosses the triangle if all edges pass it on the same side and the triangle lies ahead.
+    // The ray crosses the triangle if all edges pass it on the same side and the triangle lies
+    // ahead.
     const double ab = Dot(direction, Cross(a, b)), bc = Dot(direction, Cross(b, c)),
                  ca = Dot(direction, Cross(c, a));
     const bool within = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);

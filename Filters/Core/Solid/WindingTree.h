@@ -15,17 +15,19 @@ namespace carving
 {
 
 /**
- * A tree of triangles for hierarchical sums of signed solid angles (Barill et al., "Fast winding numbers for
- * soups and clouds", 2018). A distant node contributes the first two terms of its expansion around its center
- * of area. Building takes O(n log n) time, a query about O(log n).
+ * A tree of triangles for hierarchical sums of signed solid angles (Barill et al., "Fast winding
+ * numbers for soups and clouds", 2018). A distant node contributes the first two terms of its
+ * expansion around its center of area. Building takes O(n log n) time, a query about O(log n).
  */
 class WindingTree
 {
 public:
   explicit WindingTree(const ResolvedMesh& mesh);
 
-  /* * The winding number around a point that lies on no facet, to about 0.02. `thresholds` are distances from the
- * nearest integer: where the error could move the result across one of them, the sum is refined until it cannot.
+  /* * The winding number around a point that lies on no facet, to about 0.02. `thresholds` are
+ distances from the
+ * nearest integer: where the error could move the result across one of them, the sum is refined
+ until it cannot.
 
    */
   double Measure(const Point& point, const std::vector<double>& thresholds = {}) const;

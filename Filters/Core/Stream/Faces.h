@@ -37,7 +37,8 @@ int StepAt(const StoredStream<D>& stream, int halfFace)
 }
 
 /**
- * The half-face in front of a face, or Outside. Solid is possible only on approximations without the face.
+ * The half-face in front of a face, or Outside. Solid is possible only on approximations without
+ * the face.
  */
 template <int D>
 int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
@@ -52,10 +53,10 @@ int InFront(const StoredStream<D>& stream, const FaceLife<D>& face)
 }
 
 /**
- * Calls `visit(const FaceLife<D>&)` for each face that is part of some approximation from C_first to C_last:
- * first the carved faces, then the facets of M. A carved face is part of an approximation while exactly one of
- * its sides is exterior. A facet of M is, from the first step on in which a side is exterior, and becomes a fold
- * when both are. Linear in the number of cells.
+ * Calls `visit(const FaceLife<D>&)` for each face that is part of some approximation from C_first
+ * to C_last: first the carved faces, then the facets of M. A carved face is part of an
+ * approximation while exactly one of its sides is exterior. A facet of M is, from the first step on
+ * in which a side is exterior, and becomes a fold when both are. Linear in the number of cells.
  */
 template <int D, class Visitor>
 void ForEachFace(

@@ -15,8 +15,8 @@ namespace carving
 {
 
 /**
- * The faces of C_step, oriented outward: the boundary of the solid and the remaining cells, and the folds.
- * Corners are indices into the stream's points.
+ * The faces of C_step, oriented outward: the boundary of the solid and the remaining cells, and the
+ * folds. Corners are indices into the stream's points.
  */
 template <int D>
 struct Level

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Rotation through the cells around a ridge. A ridge is an edge of a triangle, or an end of an edge in the plane.
+ * Rotation through the cells around a ridge. A ridge is an edge of a triangle, or an end of an edge
+ * in the plane.
  */
 #ifndef carving_Ridges_h
 #define carving_Ridges_h
@@ -30,7 +31,9 @@ std::array<int, D - 1> RidgeOf(const std::array<int, D>& facet, int k)
   return ridge;
 }
 
-/** The other face of the half-face's cell that contains the ridge, as a half-face of the same cell. */
+/**
+ * The other face of the half-face's cell that contains the ridge, as a half-face of the same cell.
+ */
 template <int D>
 int AcrossCell(const Decomposition<D>& mesh, int halfFace, const std::array<int, D - 1>& ridge)
 {

@@ -48,9 +48,9 @@ template <int D>
 struct StoredStream
 {
   /**
-   * The cells of the complement; a face on the solid has the neighbor Solid. In two cases also the cells of
-   * the solid: in enclosing mode, where solid and kept cells may share faces that are not of M, and in the
-   * plane, where levels are cut across the solid.
+   * The cells of the complement; a face on the solid has the neighbor Solid. In two cases also the
+   * cells of the solid: in enclosing mode, where solid and kept cells may share faces that are not
+   * of M, and in the plane, where levels are cut across the solid.
    */
   Decomposition<D> Mesh;
   /** Per cell of `Mesh`. */
@@ -61,20 +61,25 @@ struct StoredStream
   /** Per cell: its region in the classification. */
   std::vector<int> Regions;
   /**
-   * Per facet of M, behind it and in front of it: the half-face of a cell of `Mesh`, Outside or Solid.
+   * Per facet of M, behind it and in front of it: the half-face of a cell of `Mesh`, Outside or
+   * Solid.
    */
   std::vector<std::array<int, 2>> Sides;
 };
 
-/** Stores a carving. Omits the cells of the solid where levels do not need them; see StoredStream::Mesh. */
+/**
+ * Stores a carving. Omits the cells of the solid where levels do not need them; see
+ * StoredStream::Mesh.
+ */
 template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
 
 /**
- * Restores a stream that was read from a file: computes `Mesh.Neighbors`, `Mesh.Constraints` and `Sides` from
- * cells and facets. `solidSides` has per facet 1 for solid behind it plus 2 for solid in front of it. Returns
- * false if more than two cells share a face, two facets are equal, or a cell or facet has a corner twice.
+ * Restores a stream that was read from a file: computes `Mesh.Neighbors`, `Mesh.Constraints` and
+ * `Sides` from cells and facets. `solidSides` has per facet 1 for solid behind it plus 2 for solid
+ * in front of it. Returns false if more than two cells share a face, two facets are equal, or a
+ * cell or facet has a corner twice.
  */
 template <int D>
 bool Connect(StoredStream<D>& stream, const std::vector<int>& solidSides);

@@ -138,7 +138,10 @@ private:
     return exterior ? InFront(this->Stored, face) : face.Behind;
   }
 
-  /** Rotates around a ridge through exterior cells, or else through the others, and returns the last half-face. */
+  /**
+   * Rotates around a ridge through exterior cells, or else through the others, and returns the last
+   * half-face.
+   */
   int Turn(int start, const Ridge& ridge, bool exterior) const
   {
     for (int at = start; at >= 0;)

@@ -15,7 +15,10 @@
 namespace carving
 {
 
-/** The joined sides of a level's faces. Side D * i + k of a level is the ridge opposite to corner k of face i. */
+/**
+ * The joined sides of a level's faces. Side D * i + k of a level is the ridge opposite to corner k
+ * of face i.
+ */
 struct FacePairs
 {
   /** Per side: the side that it is joined to at their common ridge; -1 at a boundary. */
@@ -31,10 +34,11 @@ struct FacePairs
 };
 
 /**
- * Pairs the faces around each ridge by rotation through the cells around the ridge, never by angles. Two paired
- * faces have the exterior between them in space, and the solid between them in the plane, where two parts can
- * only touch in a point. Folds that show one side do not bound the exterior and are paired with each other.
- * Folds that show both sides are paired across the exterior, as are the other faces at their ridges.
+ * Pairs the faces around each ridge by rotation through the cells around the ridge, never by
+ * angles. Two paired faces have the exterior between them in space, and the solid between them in
+ * the plane, where two parts can only touch in a point. Folds that show one side do not bound the
+ * exterior and are paired with each other. Folds that show both sides are paired across the
+ * exterior, as are the other faces at their ridges.
  */
 template <int D>
 FacePairs PairFaces(const StoredStream<D>& stream, const Level<D>& level);

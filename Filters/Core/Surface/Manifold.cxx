@@ -83,8 +83,9 @@ private:
   }
 
   /**
-   * Changes the pairing where two pairs or unpaired faces at a ridge would share all vertices. Returns whether
-   * there were any; the caller repeats, since a change can leave collisions among pairs already compared.
+   * Changes the pairing where two pairs or unpaired faces at a ridge would share all vertices.
+   * Returns whether there were any; the caller repeats, since a change can leave collisions among
+   * pairs already compared.
    */
   bool SeparateCollisions(const std::vector<int>& group)
   {
@@ -107,7 +108,9 @@ private:
     return any;
   }
 
-  /** Makes a new fan of a corner and of all corners at its vertex that joined sides connect to it. */
+  /**
+   * Makes a new fan of a corner and of all corners at its vertex that joined sides connect to it.
+   */
   void RenewFan(int start)
   {
     const int vertex = FaceAt<D>(this->Shown, start).Corners[start % D];

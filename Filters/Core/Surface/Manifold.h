@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Cutting of a level into oriented manifolds (section 3.3 and its reference 27, Gueziec et al., "Cutting and
- * Stitching: Converting Sets of Polygons to Manifold Surfaces").
+ * Cutting of a level into oriented manifolds (section 3.3 and its reference 27, Gueziec et al.,
+ * "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces").
  */
 #ifndef carving_Manifold_h
 #define carving_Manifold_h
@@ -15,7 +15,9 @@
 namespace carving
 {
 
-/** The faces of a level in the same order. Where the surface is cut, they have different vertices. */
+/**
+ * The faces of a level in the same order. Where the surface is cut, they have different vertices.
+ */
 template <int D>
 struct ManifoldLevel
 {
@@ -25,19 +27,21 @@ struct ManifoldLevel
 };
 
 /**
- * Cuts along ridges (edges; in the plane, vertices) with more than two faces, and at vertices whose faces do
- * not form one fan.
+ * Cuts along ridges (edges; in the plane, vertices) with more than two faces, and at vertices whose
+ * faces do not form one fan.
  *
- * At an edge of more than two faces, two faces stay joined if the exterior lies between them, that is, if a
- * rotation through exterior cells around the edge leads from one to the other. Parts that touch along edges thus
- * stay joined, the exterior is cut in two there, and the surface is closed wherever it bounds a solid. Folds that
- * show one side are joined to each other only: two at a ridge without other folds, if their orientations agree.
- * Folds that show both sides are treated like all other faces.
+ * At an edge of more than two faces, two faces stay joined if the exterior lies between them, that
+ * is, if a rotation through exterior cells around the edge leads from one to the other. Parts that
+ * touch along edges thus stay joined, the exterior is cut in two there, and the surface is closed
+ * wherever it bounds a solid. Folds that show one side are joined to each other only: two at a
+ * ridge without other folds, if their orientations agree. Folds that show both sides are treated
+ * like all other faces.
  *
- * Where parts touch in a single edge, this would leave two copies of the edge with the same vertices. Faces there
- * stay joined if the solid lies between them, so that the parts are cut apart, and a fold is cut off. Such a cut,
- * like one at a single vertex, can only separate pieces or end a tunnel: the surface has no more tunnels than the
- * closed complex. In the plane, parts that touch in a vertex are cut apart, too.
+ * Where parts touch in a single edge, this would leave two copies of the edge with the same
+ * vertices. Faces there stay joined if the solid lies between them, so that the parts are cut
+ * apart, and a fold is cut off. Such a cut, like one at a single vertex, can only separate pieces
+ * or end a tunnel: the surface has no more tunnels than the closed complex. In the plane, parts
+ * that touch in a vertex are cut apart, too.
  */
 template <int D>
 ManifoldLevel<D> CutIntoManifold(const StoredStream<D>& stream, const Level<D>& level);

@@ -12,7 +12,9 @@ namespace carving
 namespace
 {
 
-/** Per vertex, the greater ends of its edges that are traversed upward, or else downward; ascending. */
+/**
+ * Per vertex, the greater ends of its edges that are traversed upward, or else downward; ascending.
+ */
 Buckets<int> SortEdges(const ManifoldLevel<3>& level, bool upward)
 {
   Buckets<int> edges(level.Points.size(),

@@ -20,9 +20,9 @@ struct SurfaceTopology
 };
 
 /**
- * Measures triangles that have been cut into oriented manifolds, in O(n log n) time. The numbers differ from those
- * of the closed complex K: in K, solids that touch in a vertex or an edge are one component; here, the wall of a void
- * is a component.
+ * Measures triangles that have been cut into oriented manifolds, in O(n log n) time. The numbers
+ * differ from those of the closed complex K: in K, solids that touch in a vertex or an edge are one
+ * component; here, the wall of a void is a component.
  */
 SurfaceTopology MeasureSurface(const ManifoldLevel<3>& level);
 

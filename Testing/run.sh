@@ -11,6 +11,8 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
+# ParaView's client finds its server by the name of the machine, which a minimal system may not resolve.
+getent hosts "$(uname -n)" >/dev/null || test_packages+=(libnss-myhostname)
 require_packages "${build_packages[@]}" "${picture_packages[@]}" "${test_packages[@]}" \
   "${paraview_packages[@]}"
 meshes=$build_root/meshes/off

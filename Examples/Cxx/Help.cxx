@@ -19,6 +19,8 @@ SYNOPSIS
           [PROPERTY OPTIONS]
     carve STREAM.vtu [-o OUTPUT] [--profile FILE] [LEVELS]
           [--manifold-output on|off]
+    carve SURFACE --decimate [--nested] [-o OUTPUT] [--vertices N,... |
+          --triangles N,... | --error-bound X,...]
     carve --help | --version
 
 DESCRIPTION
@@ -35,6 +37,10 @@ DESCRIPTION
     STREAM.vtu is a carving that --stream has stored. Any level can be extracted
     from it without carving again.
 
+    SURFACE is a closed mesh that does not cross itself. With --decimate, it is not
+    carved: the levels are surfaces of the same topology with fewer vertices that
+    enclose it.
+
 OPTIONS
     -o, --output OUTPUT
         Write the levels. The end of the name determines the format:
@@ -49,6 +55,14 @@ OPTIONS
         Take the polygons and polylines of INPUT, which is .vtp or .vtk, as contours
         in a plane, and carve them out of their convex hull in that plane. Read edge
         for triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
+
+    --decimate
+        Decimate SURFACE into surfaces that enclose it, one per number of
+        --vertices, --triangles or --error-bound (default: 1000 vertices).
+
+    --nested
+        With --decimate: every level lies inside all coarser ones. Otherwise levels
+        are tighter.
 
     --stream OUT.vtu
         Write the whole carving: the tetrahedra and triangles, and the steps at which
@@ -120,6 +134,7 @@ EXAMPLES
     carve scan.ply.gz --stream scan.vtu
     carve scan.vtu --vertices 1000 -o scan_1000.vtp
     carve scan.ply.gz --tunnels 0,2 -o few_tunnels.vtm --profile scan.png
+    carve part.stl --decimate --vertices 500,2000 -o proxy.vtm
 )";
 
 /** Breaks a text into indented lines of at most 80 characters. */

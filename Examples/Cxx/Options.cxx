@@ -225,6 +225,16 @@ std::vector<KnownOption> MakeKnownOptions(Options& options)
       options.CarvingOption = "--contours";
       return "";
     } });
+  for (const auto& [name, flag] :
+    { std::pair("decimate", &options.Decimate), std::pair("nested", &options.Nested) })
+  {
+    known.push_back({ name, no_argument,
+      [flag = flag](const std::string&)
+      {
+        *flag = true;
+        return "";
+      } });
+  }
   for (const auto& [name, action] : { std::pair("help", Options::Action::ShowHelp),
          std::pair("version", Options::Action::ShowVersion) })
   {
@@ -271,9 +281,37 @@ std::string TakeOptions(int argc, char* argv[], Options& options)
   return {};
 }
 
+/** Returns an empty string, or a description of options that --decimate excludes or that need it. */
+std::string CheckDecimation(const Options& options)
+{
+  if (!options.Decimate)
+  {
+    return options.Nested ? "--nested wants --decimate" : "";
+  }
+  const std::string other = !options.CarvingOption.empty() ? options.CarvingOption
+    : !options.Profile.empty()                             ? "--profile"
+    : options.Properties.count("NumberOfLevels") > 0       ? "--levels"
+    : IsStream(options.Input)                              ? "a stored stream"
+                                                           : "";
+  if (!other.empty())
+  {
+    return "--decimate cannot be combined with " + other;
+  }
+  return options.TargetType == vtkTopologyCarver::VERTICES ||
+      options.TargetType == vtkTopologyCarver::TRIANGLES ||
+      options.TargetType == vtkTopologyCarver::ERROR_BOUND
+    ? ""
+    : "--decimate wants --vertices, --triangles or --error-bound";
+}
+
 /** Returns an empty string, or a description of options that contradict each other. */
 std::string CheckCombination(const Options& options)
 {
+  const std::string error = CheckDecimation(options);
+  if (!error.empty())
+  {
+    return error;
+  }
   if (options.Properties.count("NumberOfLevels") > 0 && !options.Targets.empty())
   {
     return "--levels cannot be combined with other ways to pick levels";

@@ -27,6 +27,8 @@ struct Options
    */
   std::string CarvingOption;
   bool Contours = false; ///< the input is contours in a plane
+  bool Decimate = false; ///< decimate the input instead of carving it
+  bool Nested = false;   ///< for Decimate
   int NumberOfLevels = 8;
   std::vector<double> Targets;
   int TargetType = 0;         ///< vtkTopologyCarver::LevelTargets

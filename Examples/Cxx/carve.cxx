@@ -15,6 +15,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCarverProperty.h"
 #include "vtkContourCarver.h"
+#include "vtkEnclosingDecimation.h"
 #include "vtkFieldData.h"
 #include "vtkLogger.h"
 #include "vtkMultiBlockDataSet.h"
@@ -62,9 +63,9 @@ private:
 /** Overwrites one line of the terminal. */
 void ShowProgress(vtkObject* caller, unsigned long, void*, void*)
 {
-  auto* carver = static_cast<vtkCarverAlgorithm*>(caller);
-  const char* stage = carver->GetProgressText();
-  std::fprintf(stderr, "\r%3.0f %% %-16s", 100.0 * carver->GetProgress(), stage ? stage : "");
+  auto* filter = static_cast<vtkAlgorithm*>(caller);
+  const char* stage = filter->GetProgressText();
+  std::fprintf(stderr, "\r%3.0f %% %-16s", 100.0 * filter->GetProgress(), stage ? stage : "");
 }
 
 void EraseProgress()
@@ -96,6 +97,18 @@ void PrintTable(vtkMultiBlockDataSet* levels, bool contours)
   }
 }
 
+void PrintSurfaces(vtkMultiBlockDataSet* surfaces)
+{
+  std::printf("%5s %10s %10s %12s\n", "level", "vertices", "triangles", "error");
+  for (unsigned int i = 0; i < surfaces->GetNumberOfBlocks(); ++i)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(surfaces->GetBlock(i));
+    std::printf("%5u %10s %10s %12g\n", i, GetNumber(surface, "Vertices").c_str(),
+      GetNumber(surface, "Triangles").c_str(),
+      surface->GetFieldData()->GetArray("Error")->GetTuple1(0));
+  }
+}
+
 void PrintNotes(vtkMultiBlockDataSet* levels)
 {
   auto* notes = vtkStringArray::SafeDownCast(levels->GetFieldData()->GetAbstractArray("Notes"));
@@ -120,7 +133,14 @@ int Finish(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, 
   {
     std::cerr << "carve: warning: " << warning << "\n";
   }
-  PrintTable(levels, options.Contours);
+  if (options.Decimate)
+  {
+    PrintSurfaces(levels);
+  }
+  else
+  {
+    PrintTable(levels, options.Contours);
+  }
   PrintNotes(levels);
   Clock clock;
   std::vector<std::string> written, warnings;
@@ -182,6 +202,64 @@ void SetProperties(const Options& options, vtkCarverAlgorithm* carver)
   }
 }
 
+/** Reads a mesh and prints its size. Returns an empty string, or an error. */
+std::string ReadInput(const std::string& fileName, bool contours, ErrorLog* log, vtkPolyData* mesh)
+{
+  const std::string unreadable =
+    ReadMesh(fileName, contours ? Wanted::Contours : Wanted::Polygons, log, mesh);
+  if (!unreadable.empty())
+  {
+    return "cannot read " + fileName + ": " + unreadable;
+  }
+  std::printf("%s: %lld points, %lld cells\n", fileName.c_str(),
+    static_cast<long long>(mesh->GetNumberOfPoints()),
+    static_cast<long long>(mesh->GetNumberOfCells()));
+  return {};
+}
+
+void ShowProgressOf(vtkAlgorithm* filter)
+{
+  if (isatty(STDERR_FILENO))
+  {
+    vtkNew<vtkCallbackCommand> progress;
+    progress->SetCallback(ShowProgress);
+    filter->AddObserver(vtkCommand::ProgressEvent, progress);
+  }
+}
+
+int DecimateSurface(const Options& options, ErrorLog* log)
+{
+  Clock clock;
+  vtkNew<vtkPolyData> surface;
+  const std::string error = ReadInput(options.Input, false, log, surface);
+  if (!error.empty())
+  {
+    return Fail(error);
+  }
+  const std::string seconds = Describe("read", clock.Lap());
+  vtkNew<vtkEnclosingDecimation> decimation;
+  decimation->SetInputData(surface);
+  decimation->SetNested(options.Nested);
+  decimation->SetTargetType(options.TargetType == vtkTopologyCarver::TRIANGLES
+      ? vtkEnclosingDecimation::TRIANGLES
+      : options.TargetType == vtkTopologyCarver::ERROR_BOUND ? vtkEnclosingDecimation::ERROR_BOUND
+                                                             : vtkEnclosingDecimation::VERTICES);
+  if (!options.Targets.empty())
+  {
+    decimation->ClearTargets();
+  }
+  for (const double target : options.Targets)
+  {
+    decimation->AddTarget(target);
+  }
+  ShowProgressOf(decimation);
+  decimation->Update();
+  EraseProgress();
+  return Finish(options, log,
+    vtkMultiBlockDataSet::SafeDownCast(decimation->GetOutputDataObject(1)), nullptr,
+    seconds + ", " + Describe("decimate", clock.Lap()));
+}
+
 int CarveMesh(const Options& options, ErrorLog* log)
 {
   Clock clock;
@@ -194,26 +272,17 @@ int CarveMesh(const Options& options, ErrorLog* log)
   for (const auto& [name, data] :
     { std::pair(options.Input, mesh.Get()), std::pair(options.InitialMesh, initial.Get()) })
   {
-    const Wanted wanted = options.Contours ? Wanted::Contours : Wanted::Polygons;
-    const std::string unreadable = name.empty() ? "" : ReadMesh(name, wanted, log, data);
-    if (!unreadable.empty())
+    const std::string error = name.empty() ? "" : ReadInput(name, options.Contours, log, data);
+    if (!error.empty())
     {
-      return Fail("cannot read " + name + ": " + unreadable);
+      return Fail(error);
     }
   }
   std::string seconds = Describe("read", clock.Lap());
-  std::printf("%s: %lld points, %lld cells\n", options.Input.c_str(),
-    static_cast<long long>(mesh->GetNumberOfPoints()),
-    static_cast<long long>(mesh->GetNumberOfCells()));
   carver->SetInputData(0, mesh);
   carver->SetInputData(1, initial);
   SetProperties(options, carver);
-  if (isatty(STDERR_FILENO))
-  {
-    vtkNew<vtkCallbackCommand> progress;
-    progress->SetCallback(ShowProgress);
-    carver->AddObserver(vtkCommand::ProgressEvent, progress);
-  }
+  ShowProgressOf(carver);
   carver->Update();
   EraseProgress();
   for (int stage = 0; stage < carver->GetNumberOfStages(); ++stage)
@@ -282,5 +351,7 @@ int main(int argc, char* argv[])
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<ErrorLog> log;
   vtkOutputWindow::SetInstance(log);
-  return IsStream(options.Input) ? AnswerFromStream(options, log) : CarveMesh(options, log);
+  return IsStream(options.Input) ? AnswerFromStream(options, log)
+    : options.Decimate           ? DecimateSurface(options, log)
+                                 : CarveMesh(options, log);
 }

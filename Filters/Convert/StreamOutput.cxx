@@ -2,18 +2,14 @@
 #include "Convert/StreamOutput.h"
 
 #include "Convert/ArrayTools.h"
+#include "Convert/PointOutput.h"
 #include "Core/Stream/Faces.h"
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellLocator.h"
 #include "vtkCellType.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -38,127 +34,6 @@ constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 int StepForUser(int step)
 {
   return step == carving::Stream::Never ? -1 : step;
-}
-
-/** Gives points that resolving or TetGen made the data of the closest point of the input. */
-template <int D>
-void InterpolateNewPoints(
-  const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkPointData* output)
-{
-  vtkNew<vtkPolyData> surface; // without cells that bound nothing: vertices and, in space, lines
-  surface->SetPoints(input->GetPoints());
-  surface->SetPolys(input->GetPolys());
-  surface->SetStrips(input->GetStrips());
-  if (D == 2)
-  {
-    surface->SetLines(input->GetLines());
-  }
-  // Deterministic for equally close cells; the order of vtkStaticCellLocator depends on its
-  // threads.
-  vtkNew<vtkCellLocator> locator;
-  locator->SetDataSet(surface);
-  locator->BuildLocator();
-  vtkNew<vtkGenericCell> cell;
-  std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));
-  for (std::size_t i = 0; i < points.Points.size(); ++i)
-  {
-    if (points.PointSources[i] >= 0)
-    {
-      continue;
-    }
-    double closest[3], onCell[3], parametric[3], distance;
-    vtkIdType cellId = -1;
-    int subId = 0;
-    locator->FindClosestPoint(points.Points[i].data(), closest, cell, cellId, subId, distance);
-    if (cellId < 0)
-    {
-      continue; // all cells are degenerate
-    }
-    surface->GetCell(cellId, cell);
-    cell->EvaluatePosition(closest, onCell, subId, parametric, distance, weights.data());
-    output->InterpolatePoint(
-      input->GetPointData(), static_cast<vtkIdType>(i), cell->GetPointIds(), weights.data());
-  }
-}
-
-/**
- * Adds the arrays of ids, which VTK omits when it interpolates, as plain arrays, since several
- * parts of a cell can have the same id. `source(i)` is the index in the input of entry i, or -1;
- * then the id is -1.
- */
-template <class Source>
-void AddIdArrays(
-  vtkDataSetAttributes* input, vtkIdType count, const Source& source, vtkDataSetAttributes* output)
-{
-  for (int k = 0; k < input->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* from = input->GetAbstractArray(k);
-    if (!from->GetName() || output->HasArray(from->GetName()))
-    {
-      continue;
-    }
-    vtkSmartPointer<vtkAbstractArray> to;
-    to.TakeReference(from->NewInstance());
-    to->SetName(from->GetName());
-    to->SetNumberOfComponents(from->GetNumberOfComponents());
-    to->SetNumberOfTuples(count);
-    if (auto* numbers = vtkDataArray::SafeDownCast(to))
-    {
-      numbers->Fill(-1.0);
-    }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      if (source(i) >= 0)
-      {
-        to->SetTuple(i, source(i), from);
-      }
-    }
-    output->AddArray(to);
-  }
-}
-
-template <int D>
-void FillPoints(
-  const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkUnstructuredGrid* output)
-{
-  const vtkIdType count = static_cast<vtkIdType>(points.Points.size());
-  vtkNew<vtkPoints> coordinates;
-  coordinates->SetDataTypeToDouble();
-  coordinates->SetNumberOfPoints(count);
-  auto ids = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
-  auto distances = MakeArray<vtkDoubleArray>(StreamArrays::SnapDistance, count);
-  distances->Fill(0.0);
-  vtkPointData* pointData = output->GetPointData();
-  pointData->InterpolateAllocate(input->GetPointData(), count);
-  bool anyNew = false, anyMoved = false;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const int source = points.PointSources[i];
-    coordinates->SetPoint(i, points.Points[i].data());
-    ids->SetValue(i, source);
-    if (source >= 0)
-    {
-      pointData->CopyData(input->GetPointData(), source, i);
-      carving::Point from;
-      input->GetPoint(source, from.data());
-      distances->SetValue(
-        i, std::sqrt(vtkMath::Distance2BetweenPoints(points.Points[i].data(), from.data())));
-      anyMoved = anyMoved || points.Points[i] != from;
-    }
-    anyNew = anyNew || source < 0;
-  }
-  if (anyNew && pointData->GetNumberOfArrays() > 0)
-  {
-    InterpolateNewPoints(points, input, pointData);
-  }
-  AddIdArrays(
-    input->GetPointData(), count, [&](vtkIdType i) { return points.PointSources[i]; }, pointData);
-  output->SetPoints(coordinates);
-  pointData->AddArray(ids);
-  if (anyMoved && D == 3) // restoring the plane of contours may move their points, too
-  {
-    pointData->AddArray(distances);
-  }
 }
 
 /** The cells of the complement, then the facets of M. */

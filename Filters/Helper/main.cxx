@@ -8,6 +8,7 @@
 #include "Core/Protocol/Protocol.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
+#include "Helper/Decimation/EnclosingDecimation.h"
 #include "Helper/Plane/InitialContour.h"
 #include "Helper/Plane/Triangulate.h"
 #include "Helper/Resolve/Clean.h"
@@ -125,6 +126,15 @@ void TriangulateGiven(const Job& job, Reply& reply)
   }
 }
 
+void DecimateGiven(const Job& job, Reply& reply)
+{
+  Reporter reporter(reply);
+  reporter.Begin(Stage::Tetrahedralize); // the main stage of a job
+  reply.Error = DecimateEnclosing(job.Mesh, job.Decimation, reply.Surfaces,
+    [&](double fraction) { return reporter.Report(fraction); });
+  reporter.End();
+}
+
 /** Does a job of any kind. Returns whether a reply has been written. */
 bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
@@ -137,6 +147,9 @@ bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
       return write();
     case JobKind::Triangulate:
       TriangulateGiven(job, reply);
+      return write();
+    case JobKind::Decimate:
+      DecimateGiven(job, reply);
       return write();
   }
   return false;
@@ -163,6 +176,7 @@ bool WriteReply(int descriptor, Reply& reply)
   {
     reply.Result = {};
     reply.Plane = {};
+    reply.Surfaces.clear();
   }
   std::fflush(stdout);
   dup2(descriptor, STDOUT_FILENO);

@@ -30,6 +30,14 @@ class TestFilters(unittest.TestCase):
         types = [simple.OutputPort(carver, i).GetDataInformation().GetDataSetTypeAsString() for i in range(4)]
         self.assertEqual(types, ["vtkPolyData", "vtkMultiBlockDataSet", "vtkUnstructuredGrid", "vtkTable"])
 
+    def test_decimates_a_surface(self):
+        """Enclosing Decimation has the coarsest surface on its first output and all on its second."""
+        decimation = simple.EnclosingDecimation(Input=self.mesh, Targets=[1000, 400])
+        self.assertEqual(counts(decimation)[0], 400)
+        everything = simple.OutputPort(decimation, 1).GetDataInformation()
+        self.assertEqual(everything.GetDataSetTypeAsString(), "vtkMultiBlockDataSet")
+        self.assertEqual(everything.GetNumberOfPoints(), 1400)
+
     def test_time_moves_from_the_hull_to_the_mesh(self):
         """Time steps exist before anything is carved; the first is the hull, the last is the mesh."""
         carver = self.carver()

@@ -141,6 +141,27 @@ class TestCarve(unittest.TestCase):
         headings = "".join(re.findall(r"^ {4}-.*$", run.stdout, re.MULTILINE))
         self.assertLessEqual(options, set(re.findall(r"--[a-z-]+", headings)))
 
+    def test_decimates(self):
+        """--decimate gives closed surfaces of the wanted sizes, coarsest first."""
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(40)
+        sphere.SetPhiResolution(40)
+        sphere.Update()
+        self.write(vtkXMLPolyDataWriter, "sphere.vtp", sphere.GetOutput())
+        run = self.run_carve("sphere.vtp", "--decimate", "--vertices", "300,50", "-o", "out.vtm")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        rows = [line.split() for line in run.stdout.splitlines() if re.match(r" +\d", line)]
+        # A sphere of n vertices has 2 n - 4 triangles.
+        self.assertEqual([row[:3] for row in rows], [["0", "50", "96"], ["1", "300", "596"]])
+        self.assertGreater(float(rows[0][3]), float(rows[1][3]))
+        self.assertTrue(os.path.exists(self.path("out.vtm")))
+        bounded = self.run_carve("sphere.vtp", "--decimate", "--nested", "--error-bound", "0.05")
+        self.assertLessEqual(float(bounded.stdout.split("seconds")[0].split()[-1]), 0.05)
+        self.expect_failure(self.run_carve(BONES, "--decimate"), 1, "crosses itself")
+        for options in (("--levels", "3"), ("--tunnels", "0"), ("--depth-exponent", "1")):
+            self.assertEqual(self.run_carve("sphere.vtp", "--decimate", *options).returncode, 2)
+        self.expect_failure(self.run_carve("sphere.vtp", "--nested"), 2, "--decimate")
+
     def test_writes_the_profile(self):
         """--profile writes a table with a row per step, or a chart if there is a display."""
         rows = self.table(BONES, "--profile", "out.csv", "--stream", "out.vtu", "--compute-error", "on")

@@ -9,7 +9,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 from setters import setters
-from topologycarving import vtkContourCarver, vtkExtractCarvedLOD, vtkTopologyCarver
+from topologycarving import vtkContourCarver, vtkEnclosingDecimation, vtkExtractCarvedLOD, vtkTopologyCarver
 
 PLUGIN = os.environ["PLUGIN"]
 
@@ -17,6 +17,7 @@ PLUGIN = os.environ["PLUGIN"]
 LEFT_OUT = {
     "SetLevelTarget": "the panel has one target per type",
     "SetController": "ParaView uses the global controller",
+    "SetTarget": "the panel has a list of targets",
 }
 
 
@@ -52,6 +53,7 @@ class TestPanels(unittest.TestCase):
         extract = parse("ExtractCarvedLOD.xml")
         self.picker = find_proxy(extract, "LevelPicker")
         self.extract = find_proxy(extract, "ExtractCarvedLOD")
+        self.decimation = find_proxy(parse("EnclosingDecimation.xml"), "EnclosingDecimation")
 
     def expect_defaults(self, proxy, instance, others):
         for p in properties(proxy):
@@ -69,6 +71,11 @@ class TestPanels(unittest.TestCase):
             self.expect_defaults(self.carver, instance, {})
         for proxy in (self.picker, self.extract):
             self.expect_defaults(proxy, vtkExtractCarvedLOD(), others)
+        decimation = vtkEnclosingDecimation()
+        for p in properties(self.decimation):
+            name = p.get("command")[3:]
+            default = decimation.GetTarget(0) if name == "Target" else getattr(decimation, "Get" + name)()
+            self.assertEqual(float(p.get("default_values")), float(default), p.get("name"))
 
     def test_every_setter_is_on_a_panel(self):
         """Every setter of the filters is on a panel or is left out on purpose."""
@@ -77,6 +84,9 @@ class TestPanels(unittest.TestCase):
             self.assertTrue(name in shown or name in LEFT_OUT, name)
         shown = commands(self.picker) | commands(self.extract)
         for name in setters(vtkExtractCarvedLOD):
+            self.assertTrue(name in shown or name in LEFT_OUT, name)
+        shown = commands(self.decimation)
+        for name in setters(vtkEnclosingDecimation):
             self.assertTrue(name in shown or name in LEFT_OUT, name)
 
     def test_enumerations_are_the_filters(self):
@@ -88,10 +98,12 @@ class TestPanels(unittest.TestCase):
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",
             "SetKeepBothFoldSides": "ONE_SIDE BOTH_SIDES AUTO",
+            "SetTargetType": "VERTICES TRIANGLES ERROR_BOUND",
             "SetLevelTargetType": "VERTICES TRIANGLES FEATURE_SIZE TUNNELS COMPONENTS ERROR_BOUND STEP",
         }
         seen = set()
-        for proxy in (self.carver, self.picker):
+        for proxy, owner in ((self.carver, vtkTopologyCarver), (self.picker, vtkTopologyCarver),
+                             (self.decimation, vtkEnclosingDecimation)):
             for p in properties(proxy):
                 entries = p.findall("EnumerationDomain/Entry")
                 if not entries:
@@ -99,7 +111,7 @@ class TestPanels(unittest.TestCase):
                 seen.add(p.get("command"))
                 names = known[p.get("command")].split()
                 self.assertEqual([int(e.get("value")) for e in entries],
-                                 [getattr(vtkTopologyCarver, name) for name in names])
+                                 [getattr(owner, name) for name in names])
                 for entry, name in zip(entries, names):
                     words = set(re.findall(r"[a-z]+", name.lower()))
                     self.assertTrue(words <= set(re.findall(r"[a-z]+", entry.get("text").lower())), name)
@@ -107,7 +119,7 @@ class TestPanels(unittest.TestCase):
 
     def test_every_property_is_explained(self):
         """Every property has a tooltip."""
-        for proxy in (self.carver, self.picker, self.extract):
+        for proxy in (self.carver, self.picker, self.extract, self.decimation):
             for p in properties(proxy):
                 text = p.findtext("Documentation") or ""
                 self.assertGreater(len(text.strip()), 20, p.get("name"))

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Measure/StreamError.h"
 
-#include "Core/Mesh/FacetTree.h"
-#include "Core/Mesh/Vector.h"
+#include "Core/Mesh/FaceDistance.h"
 #include "Core/Stream/Faces.h"
 
 #include <algorithm>
@@ -12,123 +11,6 @@ namespace carving
 {
 namespace
 {
-
-/** The factor by which a distance may be too large. */
-constexpr double Tolerance = 1.01;
-
-/** The longest side of a piece of a face, which will be halved. */
-template <int D>
-int LongestSide(const FacetCorners<D>& piece)
-{
-  int longest = 0;
-  for (int i = 1; i < D; ++i)
-  {
-    if (Length(piece[(i + 1) % D] - piece[i]) > Length(piece[(longest + 1) % D] - piece[longest]))
-    {
-      longest = i;
-    }
-  }
-  return longest;
-}
-
-/**
- * The radius of the smallest ball around a face. No point of the face is farther from the nearest
- * corner.
- */
-template <int D>
-double BallRadius(const FacetCorners<D>& face)
-{
-  const int i = LongestSide<D>(face);
-  const Point &a = face[i], &b = face[(i + 1) % D], &c = face[(i + 2) % D];
-  const double half = Length(b - a) / 2.0;
-  const double product = D == 3 ? Dot(a - c, b - c) : 0.0;
-  // The circumradius of an acute triangle follows from its longest side and the opposite angle.
-  return product <= 0.0 ? half : half * Length(a - c) * Length(b - c) / Length(Cross(a - c, b - c));
-}
-
-/** Bounds the distance of a face from M with a limited number of queries. */
-template <int D>
-class FaceDistance
-{
-public:
-  explicit FaceDistance(const ResolvedInput<D>& mesh)
-    : Tree(mesh)
-    , Negligible(1e-9 * Diagonal(mesh.Points))
-  {
-  }
-
-  double OfPoint(const Point& p) const
-  {
-    return this->Tree.Find(p).Distance;
-  }
-
-  struct Bound
-  {
-    double Upper;
-    bool Final; ///< within the tolerance
-  };
-
-  /** Refines the bound with at most this many queries for closest facets. */
-  Bound Compute(const FacetCorners<D>& face, int queries) const
-  {
-    std::priority_queue<Piece> pieces;
-    double lower = 0.0;
-    pieces.push(this->MakePiece(face, lower));
-    for (int asked = 1;; asked += 2)
-    {
-      const Piece top = pieces.top();
-      const bool final = top.Upper <= Tolerance * lower || top.Upper <= this->Negligible;
-      if (final || asked >= queries)
-      {
-        return { top.Upper, final };
-      }
-      pieces.pop();
-      const int side = LongestSide<D>(top.Corners), next = (side + 1) % D;
-      const Point middle = Between(top.Corners[side], top.Corners[next], 0.5);
-      for (const int moved : { side, next })
-      {
-        FacetCorners<D> half = top.Corners;
-        half[moved] = middle;
-        pieces.push(this->MakePiece(half, lower));
-      }
-    }
-  }
-
-private:
-  struct Piece
-  {
-    FacetCorners<D> Corners;
-    double Upper;
-
-    bool operator<(const Piece& other) const
-    {
-      return this->Upper < other.Upper;
-    }
-  };
-
-  Piece MakePiece(const FacetCorners<D>& corners, double& lower) const
-  {
-    Point center = {};
-    for (const Point& corner : corners)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        center[i] += corner[i] / D;
-      }
-    }
-    const auto closest = this->Tree.Find(center);
-    lower = std::max(lower, closest.Distance);
-    double upper = 0.0;
-    for (const Point& corner : corners)
-    {
-      upper = std::max(upper, DistanceTo(closest.Facet, corner));
-    }
-    return { corners, upper };
-  }
-
-  const FacetTree<D> Tree;
-  const double Negligible; ///< smaller distances are rounding errors of points on M
-};
 
 /** What is known of a face's distance. */
 struct Candidate

@@ -16,8 +16,8 @@ namespace
 {
 
 // Increment the last digit whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '6' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '6' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '7' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '7' };
 
 class Writer
 {
@@ -43,6 +43,17 @@ public:
     this->Value(static_cast<std::uint64_t>(values.size()));
     this->Out.write(reinterpret_cast<const char*>(values.data()),
       static_cast<std::streamsize>(values.size() * sizeof(typename Container::value_type)));
+  }
+
+  /** Writes the elements of an array that `visit` writes one by one. */
+  template <class Container, class Visitor>
+  void Each(const Container& values, std::size_t, Visitor&& visit)
+  {
+    this->Value(static_cast<std::uint64_t>(values.size()));
+    for (const auto& value : values)
+    {
+      visit(value);
+    }
   }
 
 private:
@@ -93,6 +104,21 @@ public:
     }
   }
 
+  /** Reads the elements of an array, each of at least `bytes`, that `visit` reads one by one. */
+  template <class Container, class Visitor>
+  void Each(Container& values, std::size_t bytes, Visitor&& visit)
+  {
+    std::uint64_t count = 0;
+    this->Value(count);
+    this->Good = this->Good && count <= this->Left / bytes;
+    values.clear();
+    values.resize(this->Good ? count : 0);
+    for (auto& value : values)
+    {
+      visit(value);
+    }
+  }
+
   /** Whether all data were read and none remain. */
   bool Complete() const
   {
@@ -136,6 +162,9 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Array(job.Contours.Edges);
   archive.Array(job.InitialContours.Points);
   archive.Array(job.InitialContours.Edges);
+  archive.Value(job.Decimation.Type);
+  archive.Array(job.Decimation.Targets);
+  archive.Value(job.Decimation.Nested);
 }
 
 template <class Archive, class Input>
@@ -160,6 +189,22 @@ void VisitDecomposition(Archive& archive, Mesh& mesh)
   VisitInput(archive, mesh.Unresolved);
 }
 
+template <class Archive, class Surfaces>
+void VisitSurfaces(Archive& archive, Surfaces& surfaces)
+{
+  constexpr std::size_t sizeOfEmpty =
+    3 * sizeof(std::uint64_t) + sizeof(DecimatedSurface::Error) + sizeof(DecimatedSurface::Reached);
+  archive.Each(surfaces, sizeOfEmpty,
+    [&archive](auto& surface)
+    {
+      archive.Array(surface.Mesh.Points);
+      archive.Array(surface.Mesh.Triangles);
+      archive.Array(surface.PointSources);
+      archive.Value(surface.Error);
+      archive.Value(surface.Reached);
+    });
+}
+
 /** Visits the fields of a reply in order. */
 template <class Archive, class ReplyType>
 void VisitReply(Archive& archive, ReplyType& reply)
@@ -167,6 +212,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Error);
   VisitDecomposition(archive, reply.Result);
   VisitDecomposition(archive, reply.Plane);
+  VisitSurfaces(archive, reply.Surfaces);
   archive.Array(reply.Strategy);
   archive.Array(reply.Attempts);
   archive.Array(reply.Limits);
@@ -206,7 +252,7 @@ std::string Read(const char* data, std::size_t size, Job& job)
     return "the job is incomplete";
   }
   if (job.Kind != JobKind::Tetrahedralize && job.Kind != JobKind::CountIntersections &&
-    job.Kind != JobKind::Triangulate)
+    job.Kind != JobKind::Triangulate && job.Kind != JobKind::Decimate)
   {
     return "the job is of an unknown kind";
   }
@@ -224,6 +270,12 @@ std::string Read(const char* data, std::size_t size, Job& job)
     job.Solid != SolidRule::SurfaceOnly)
   {
     return "the job wants an unknown rule of what is solid";
+  }
+  if (job.Decimation.Type != DecimationTarget::Vertices &&
+    job.Decimation.Type != DecimationTarget::Triangles &&
+    job.Decimation.Type != DecimationTarget::ErrorBound)
+  {
+    return "the job wants an unknown kind of target";
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||
@@ -252,6 +304,14 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   if (!reader.Complete() || reply.StageSeconds.size() != NumberOfStages)
   {
     return "the reply is incomplete";
+  }
+  for (const DecimatedSurface& surface : reply.Surfaces)
+  {
+    if (!IndicesWithin(surface.Mesh.Triangles, 0, surface.Mesh.Points.size()) ||
+      surface.PointSources.size() != surface.Mesh.Points.size())
+    {
+      return "a decimated surface has a vertex index out of range";
+    }
   }
   const std::string mistake = FindMistake(reply.Result);
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;

@@ -27,7 +27,36 @@ enum class JobKind : int
   /** Clean the mesh and count its intersecting pairs. Sets `IntersectingPairs` only. */
   CountIntersections = 2,
   /** Resolve and triangulate the contours. Sets `Plane` of the reply instead of `Result`. */
-  Triangulate = 3
+  Triangulate = 3,
+  /** Decimate the mesh into surfaces that enclose it. Sets `Surfaces` only. */
+  Decimate = 4
+};
+
+/** The quantity that a target of a decimation limits. */
+enum class DecimationTarget : int
+{
+  Vertices = 0,
+  Triangles = 1,
+  ErrorBound = 2 ///< the distance from the mesh, a length
+};
+
+/** The options of JobKind::Decimate. */
+struct DecimationOptions
+{
+  DecimationTarget Type = DecimationTarget::Vertices;
+  /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */
+  std::vector<double> Targets;
+  /** Each result lies inside all coarser ones. Otherwise results are tighter. */
+  int Nested = 0;
+};
+
+/** A result of JobKind::Decimate. */
+struct DecimatedSurface
+{
+  TriangleMesh Mesh;
+  std::vector<int> PointSources; ///< per point: the given point at this position, or -1
+  double Error = 0.0; ///< the largest distance from the given mesh; at most 1 % too large
+  int Reached = 1;    ///< 0 if no further edge could collapse before the target
 };
 
 /** The initial approximation C0 (section 3.1). */
@@ -84,9 +113,10 @@ struct Job : HelperOptions
   /** If TetGen fails with M, a strategy omits triangles with solid on both sides by this rule. */
   SolidRule Solid = SolidRule::SurfaceOnly;
   TriangleMesh Mesh;
-  TriangleMesh InitialMesh;   ///< for InitialApproximation::Custom
-  ContourSet Contours;        ///< for JobKind::Triangulate
-  ContourSet InitialContours; ///< for JobKind::Triangulate and InitialApproximation::Custom
+  TriangleMesh InitialMesh;     ///< for InitialApproximation::Custom
+  ContourSet Contours;          ///< for JobKind::Triangulate
+  ContourSet InitialContours;   ///< for JobKind::Triangulate and InitialApproximation::Custom
+  DecimationOptions Decimation; ///< for JobKind::Decimate
 };
 
 /** A stage of the helper's work, in the order of execution. */
@@ -105,6 +135,7 @@ struct Reply
   std::string Error;
   Tetrahedralization Result;
   Decomposition<2> Plane;
+  std::vector<DecimatedSurface> Surfaces;
   std::string Strategy;      ///< the strategy that succeeded
   std::string Attempts;      ///< a line per failed attempt, with the reason
   std::string Limits;        ///< a line per limit that ended an attempt

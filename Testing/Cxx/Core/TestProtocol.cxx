@@ -23,6 +23,11 @@ Reply MakeReply()
   reply.IntersectingPairs = 7;
   reply.SnapDistance = 0.125;
   reply.StageSeconds = { 0.25, 0.5, 1.0 };
+  DecimatedSurface& surface = reply.Surfaces.emplace_back();
+  surface.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
+  surface.PointSources = { 5, -1, 6 };
+  surface.Error = 0.5;
+  surface.Reached = 0;
   return reply;
 }
 
@@ -58,6 +63,7 @@ TEST(Protocol, RestoresAJob)
   job.InitialMesh = { { { 7, 8, 9 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
   job.Contours = { { { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 } } };
   job.InitialContours = { { { 3, 1, 0 }, { 4, 1, 0 } }, { { 1, 0 } } };
+  job.Decimation = { DecimationTarget::ErrorBound, { 0.5, 0.25 }, 1 };
   const std::string bytes = Written(job);
   Job restored;
   ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
@@ -72,6 +78,9 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.Contours.Edges, job.Contours.Edges);
   EXPECT_EQ(restored.InitialContours.Points, job.InitialContours.Points);
   EXPECT_EQ(restored.InitialContours.Edges, job.InitialContours.Edges);
+  EXPECT_EQ(restored.Decimation.Type, job.Decimation.Type);
+  EXPECT_EQ(restored.Decimation.Targets, job.Decimation.Targets);
+  EXPECT_EQ(restored.Decimation.Nested, job.Decimation.Nested);
 }
 
 // A reply is read as it was written.
@@ -88,6 +97,23 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.IntersectingPairs, 7);
   EXPECT_EQ(restored.SnapDistance, 0.125);
   EXPECT_EQ(restored.StageSeconds, reply.StageSeconds);
+  ASSERT_EQ(restored.Surfaces.size(), 1u);
+  EXPECT_EQ(restored.Surfaces[0].Mesh.Points, reply.Surfaces[0].Mesh.Points);
+  EXPECT_EQ(restored.Surfaces[0].Mesh.Triangles, reply.Surfaces[0].Mesh.Triangles);
+  EXPECT_EQ(restored.Surfaces[0].PointSources, reply.Surfaces[0].PointSources);
+  EXPECT_EQ(restored.Surfaces[0].Error, 0.5);
+  EXPECT_EQ(restored.Surfaces[0].Reached, 0);
+}
+
+// A decimated surface whose triangles name points that do not exist is rejected.
+TEST(Protocol, RejectsWrongSurfaces)
+{
+  Reply reply = MakeReply();
+  reply.Surfaces[0].Mesh.Triangles[0][1] = 3;
+  EXPECT_NE(ReadReply(Written(reply)), "");
+  reply = MakeReply();
+  reply.Surfaces[0].PointSources.pop_back();
+  EXPECT_NE(ReadReply(Written(reply)), "");
 }
 
 // A reply that reports an error holds just that.

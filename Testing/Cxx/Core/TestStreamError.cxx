@@ -4,7 +4,9 @@
  * How far approximations are from the mesh.
  */
 #include "Core/Measure/StreamError.h"
+#include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/FacetTree.h"
+#include "Core/Mesh/Vector.h"
 #include "Core/Stream/Level.h"
 #include "Shapes.h"
 #include "SmallMeshes.h"
@@ -87,6 +89,27 @@ TEST(StreamError, AgreesWithManyPoints)
       EXPECT_LE(errors[step], 1.01 * (sampled + 8.0 * std::sqrt(2.0 / 3.0) / 40));
     }
   }
+}
+
+// A face that is close above many triangles in one plane needs few queries.
+TEST(FaceDistance, BoundsAFaceAboveAPlane)
+{
+  const models::TriangleMesh sheet = models::Sheet(16);
+  ResolvedMesh mesh;
+  mesh.Points = sheet.Points;
+  mesh.Facets = sheet.Triangles;
+  const double size = Diagonal(mesh.Points), height = 1e-6 * size;
+  Point lower, upper;
+  GetBounds(mesh.Points, lower, upper);
+  FacetCorners<3> face = { lower, { upper[0], lower[1], lower[2] }, upper };
+  for (Point& corner : face)
+  {
+    corner[2] += height;
+  }
+  const auto bound = FaceDistance<3>(mesh).Compute(face, 20000);
+  EXPECT_TRUE(bound.Final);
+  EXPECT_GE(bound.Upper, height * (1.0 - 1e-6));
+  EXPECT_LE(bound.Upper, height * 1.01);
 }
 
 // The tree finds what looking at all facets finds, from near and far.

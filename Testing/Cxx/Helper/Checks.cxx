@@ -4,6 +4,8 @@
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Kernels.h"
 
+#include <CGAL/Cartesian_converter.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
@@ -212,11 +214,25 @@ bool LineHits(const std::vector<Point>& points, const std::vector<Triangle>& tri
 double DistanceTo(
   const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& point)
 {
-  double nearest = HUGE_VAL; // squared
+  // Rounding errors of squared distances are large errors of small distances.
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  const CGAL::Cartesian_converter<Inexact, Exact> toExact;
+  std::vector<double> squares;
   for (const Triangle& t : triangles)
   {
-    nearest = std::min(
-      nearest, CGAL::to_double(CGAL::squared_distance(ToInexact(point), ToTriangle(points, t))));
+    squares.push_back(CGAL::squared_distance(ToInexact(point), ToTriangle(points, t)));
+  }
+  const double least = *std::min_element(squares.begin(), squares.end());
+  const double slack = 1e-12 * CGAL::squared_distance(ToInexact(points[0]), ToInexact(point));
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    if (squares[i] <= least + slack)
+    {
+      const auto exact = CGAL::squared_distance(
+        toExact(ToInexact(point)), toExact(ToTriangle(points, triangles[i])));
+      nearest = std::min(nearest, CGAL::to_double(exact.exact()));
+    }
   }
   return std::sqrt(nearest);
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The distance of a whole face from a mesh. Not in the paper.
+ */
+#ifndef carving_FaceDistance_h
+#define carving_FaceDistance_h
+
+#include "Core/Mesh/FacetTree.h"
+
+namespace carving
+{
+
+/** The radius of the smallest ball around a face. No point of the face is farther from the nearest corner. */
+template <int D>
+double BallRadius(const FacetCorners<D>& face);
+
+/** Bounds the largest distance of any point of a face from a mesh, by branch and bound. */
+template <int D>
+class FaceDistance
+{
+public:
+  /** The mesh must have a facet and outlive this object. */
+  explicit FaceDistance(const ResolvedInput<D>& mesh);
+
+  double OfPoint(const Point& p) const
+  {
+    return this->Tree.Find(p).Distance;
+  }
+
+  struct Bound
+  {
+    double Upper;
+    bool Final; ///< at most 1 % too large
+  };
+
+  /**
+   * An upper bound, refined with at most this many queries for closest facets: the distance from one facet is
+   * convex, so that its maximum over a piece of the face is at a corner. Stops early below `enough`.
+   */
+  Bound Compute(const FacetCorners<D>& face, int queries, double enough = 0.0) const;
+
+private:
+  struct Piece
+  {
+    FacetCorners<D> Corners;
+    FacetCorners<D> Closest; ///< the facet closest to the center
+    double Upper;            ///< the distance of the farthest corner from this facet
+
+    bool operator<(const Piece& other) const
+    {
+      return this->Upper < other.Upper;
+    }
+  };
+
+  Piece MakePiece(const FacetCorners<D>& corners, double& lower) const;
+
+  const FacetTree<D> Tree;
+  const double Negligible; ///< smaller distances are rounding errors of points on the mesh
+};
+
+} // namespace carving
+
+#endif

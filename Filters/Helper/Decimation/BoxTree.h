@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * A search tree over boxes that may change.
+ */
+#ifndef carving_BoxTree_h
+#define carving_BoxTree_h
+
+#include "Core/Mesh/Mesh.h"
+
+#include <vector>
+
+namespace carving::helper
+{
+
+/** An axis-aligned box, initially empty. */
+struct Box
+{
+  Point Lower, Upper;
+
+  Box();
+  void Add(const Point& p);
+  void Add(const Box& other);
+  bool Contains(const Point& p) const
+  {
+    return this->Lower[0] <= p[0] && p[0] <= this->Upper[0] && this->Lower[1] <= p[1] &&
+      p[1] <= this->Upper[1] && this->Lower[2] <= p[2] && p[2] <= this->Upper[2];
+  }
+  bool Overlaps(const Box& other) const
+  {
+    return this->Lower[0] <= other.Upper[0] && other.Lower[0] <= this->Upper[0] &&
+      this->Lower[1] <= other.Upper[1] && other.Lower[1] <= this->Upper[1] &&
+      this->Lower[2] <= other.Upper[2] && other.Lower[2] <= this->Upper[2];
+  }
+};
+
+/** A bounding volume hierarchy whose boxes can be replaced one by one. Empty boxes are never found. */
+class BoxTree
+{
+public:
+  explicit BoxTree(const std::vector<Box>& boxes);
+
+  /** Replaces a box, and those of the nodes that contain it. */
+  void Update(int index, const Box& box);
+
+  /** Calls `visit` with the index of each box that may overlap another one. */
+  template <class Visitor>
+  void ForEachOverlap(const Box& box, Visitor&& visit) const
+  {
+    int open[64];
+    int count = 0;
+    if (!this->Nodes.empty())
+    {
+      open[count++] = 0;
+    }
+    while (count > 0)
+    {
+      const Node& node = this->Nodes[open[--count]];
+      if (!node.Bounds.Overlaps(box))
+      {
+        continue;
+      }
+      if (node.Second > 0)
+      {
+        open[count++] = node.Second;
+        open[count++] = static_cast<int>(&node - this->Nodes.data()) + 1;
+        continue;
+      }
+      for (int i = node.First; i < node.Last; ++i)
+      {
+        if (this->Boxes[this->Order[i]].Overlaps(box))
+        {
+          visit(this->Order[i]);
+        }
+      }
+    }
+  }
+
+private:
+  struct Node
+  {
+    Box Bounds;
+    int First, Last; ///< of Order
+    int Second;      ///< the second child, the first is the next node; 0 for a leaf
+    int Parent;
+  };
+
+  void Build(const std::vector<Point>& centers, int first, int last, int parent);
+
+  std::vector<Box> Boxes;
+  std::vector<int> Order;
+  std::vector<int> LeafOf;
+  std::vector<Node> Nodes;
+};
+
+} // namespace carving::helper
+
+#endif

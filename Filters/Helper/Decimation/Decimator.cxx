@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/Decimator.h"
+
+#include "Helper/Base/TriangleCrossing.h"
+#include "Helper/Enclosing/Pierce.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+
+namespace carving::helper
+{
+namespace
+{
+
+/** From this number of vertices on, the inward slide of every candidate orders the queue: better, but slower. */
+constexpr SurfaceMesh::size_type FewVertices = 2000;
+
+/** Queries for the distance of a face within an error bound. */
+constexpr int MostQueries = 64;
+
+Corners3 ToInexact(const Point& a, const Point& b, const Point& c)
+{
+  return { helper::ToInexact(a), helper::ToInexact(b), helper::ToInexact(c) };
+}
+
+bool CrossOrCover(const Corners3& a, const Corners3& b)
+{
+  return TrianglesCross(a, b) || std::is_permutation(a.begin(), a.end(), b.begin());
+}
+
+} // namespace
+
+Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nested)
+  : Surface(std::move(surface))
+  , Tree(BoxesOf(this->Surface))
+  , FacesAtBuild(this->Surface.number_of_faces())
+  , M(obstacle)
+  , Place(obstacle, this->M)
+  , Nested(nested)
+  , CanSweepOver(!IsConnectedWithoutCopies(this->Surface))
+  , Quadrics(this->Surface.num_vertices())
+  , Stamps(this->Surface.num_edges(), 0)
+  , IsQueued(this->Surface.num_edges(), 0)
+{
+  Point lower, upper;
+  GetBounds(obstacle.Points, lower, upper);
+  this->Origin = Between(lower, upper, 0.5);
+  this->AddPlanes();
+}
+
+/** Adds the plane of each face to the quadrics of its vertices, weighted by area. */
+void Decimator::AddPlanes()
+{
+  for (const Face face : this->Surface.faces())
+  {
+    const auto [a, b, c] = CornersOf(this->Surface, face);
+    const Point normal = Cross(b - a, c - a);
+    const double length = Length(normal);
+    if (length > 0.0)
+    {
+      const Point n = { normal[0] / length, normal[1] / length, normal[2] / length };
+      for (const Vertex v : CGAL::vertices_around_face(this->Surface.halfedge(face), this->Surface))
+      {
+        this->Quadrics[v].AddPlane(n, a - this->Origin, length);
+      }
+    }
+  }
+}
+
+/** The error about the edge's midpoint. */
+LocalError Decimator::ErrorOf(HalfEdge edge) const
+{
+  const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
+  const Point middle = Between(this->Surface.point(u), this->Surface.point(v), 0.5);
+  Quadric sum = this->Quadrics[u];
+  sum.Add(this->Quadrics[v]);
+  return { sum.MovedTo(middle - this->Origin), middle };
+}
+
+void Decimator::Push(HalfEdge edge, double cost)
+{
+  const auto index = this->Surface.edge(edge);
+  this->IsQueued[index] = 1;
+  this->Queue.push_back({ cost, index, ++this->Stamps[index] });
+  std::push_heap(this->Queue.begin(), this->Queue.end());
+}
+
+Decimator::Candidate Decimator::Pop()
+{
+  std::pop_heap(this->Queue.begin(), this->Queue.end());
+  const Candidate top = this->Queue.back();
+  this->Queue.pop_back();
+  return top;
+}
+
+bool Decimator::IsCurrent(const Candidate& candidate) const
+{
+  return !this->Surface.is_removed(SurfaceMesh::Edge_index(candidate.Edge)) &&
+    candidate.Stamp == this->Stamps[candidate.Edge];
+}
+
+/** Keeps the queue from growing beyond twice the number of edges. */
+void Decimator::DropOutdated()
+{
+  if (this->Queue.size() > 2 * this->Surface.number_of_edges())
+  {
+    this->Queue.erase(std::remove_if(this->Queue.begin(), this->Queue.end(),
+                        [this](const Candidate& candidate) { return !this->IsCurrent(candidate); }),
+      this->Queue.end());
+    std::make_heap(this->Queue.begin(), this->Queue.end());
+  }
+}
+
+/** Pushes an edge with a lower bound of its cost: the least error anywhere. */
+void Decimator::PushBound(HalfEdge edge)
+{
+  const LocalError error = this->ErrorOf(edge);
+  this->Push(edge, this->Place.FindLeastError(error));
+}
+
+/** Pushes all edges that are not in the queue. Returns false if none has collapsed since the last time. */
+bool Decimator::Refill()
+{
+  if (this->VerticesAtRefill == this->Surface.number_of_vertices())
+  {
+    return false;
+  }
+  this->VerticesAtRefill = this->Surface.number_of_vertices();
+  for (const auto edge : this->Surface.edges())
+  {
+    if (!this->IsQueued[edge])
+    {
+      this->PushBound(this->Surface.halfedge(edge));
+    }
+  }
+  return true;
+}
+
+bool Decimator::Run(const std::function<bool()>& goOn)
+{
+  while (goOn())
+  {
+    while (this->Queue.empty() && !this->Refill())
+    {
+      if (!this->Place.Widen())
+      {
+        return false;
+      }
+      this->VerticesAtRefill = 0;
+    }
+    const Candidate next = this->Pop();
+    if (!this->IsCurrent(next))
+    {
+      continue;
+    }
+    const SurfaceMesh::Edge_index index(next.Edge);
+    this->IsQueued[index] = 0;
+    const HalfEdge edge = this->Surface.halfedge(index);
+    const EdgeStar star(this->Surface, edge);
+    const LocalError error = this->ErrorOf(edge);
+    const std::optional<Point> outward = this->Place.FindOutward(star, error);
+    if (!outward)
+    {
+      continue;
+    }
+    Point w = *outward;
+    if (!this->Nested && this->Surface.number_of_vertices() <= FewVertices)
+    {
+      w = this->Place.SlideInward(star, error, w);
+    }
+    const double cost = error.At(w);
+    if (cost > next.Cost && !this->Queue.empty() && cost > this->Queue.front().Cost)
+    {
+      this->Push(edge, cost);
+      continue;
+    }
+    this->TryCollapse(edge, star, error, *outward);
+  }
+  return true;
+}
+
+/** Collapses the edge into an outward position, or one that slides from there, if that is valid. */
+bool Decimator::TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w)
+{
+  if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
+  {
+    return false;
+  }
+  const bool slid = !this->Nested && this->Tighten(star, error, w);
+  if ((!slid && !this->IsFree(star, w)) || !this->IsWithinErrorBound(star, w))
+  {
+    return false;
+  }
+  this->Collapse(edge, star, w);
+  return true;
+}
+
+/** Moves w inward, as far as that is valid. Returns false if no such position is valid. */
+bool Decimator::Tighten(const EdgeStar& star, const LocalError& error, Point& w)
+{
+  const Point least = this->Place.SlideInward(star, error, w);
+  for (const double share : { 1.0, 0.98, 0.7 })
+  {
+    const Point x = Between(w, least, share);
+    if (this->IsValid(star, x))
+    {
+      w = x;
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Whether M stays enclosed, and the surface does not cross itself. Exact. */
+bool Decimator::IsValid(const EdgeStar& star, const Point& w) const
+{
+  std::vector<std::array<Point, 3>> passed; // faces that w is behind
+  for (const auto& corners : star.Corners)
+  {
+    const auto [a, b, c] = ToInexact(corners[0], corners[1], corners[2]);
+    if (CGAL::orientation(a, b, c, helper::ToInexact(w)) == CGAL::NEGATIVE)
+    {
+      passed.push_back(corners);
+    }
+  }
+  return this->M.AllowsRemoval(passed, w) && this->IsFree(star, w);
+}
+
+/**
+ * Whether the surface may become one with its faces around w: it does not cross itself, and does not sweep over a part of
+ * itself, which would then be on the wrong side without crossing anything: a component or void, or a part that is joined
+ * in a copy of a point. A connected surface without copies has no such part.
+ */
+bool Decimator::IsFree(const EdgeStar& star, const Point& w) const
+{
+  return !this->Crosses(star, w) && !(this->CanSweepOver && this->SweepsOver(star, w));
+}
+
+bool Decimator::SweepsOver(const EdgeStar& star, const Point& w) const
+{
+  bool sweeps = false;
+  for (const auto& [a, b, c] : star.Corners)
+  {
+    Corners4 swept = { helper::ToInexact(a), helper::ToInexact(b), helper::ToInexact(c),
+      helper::ToInexact(w) };
+    const auto side = CGAL::orientation(swept[0], swept[1], swept[2], swept[3]);
+    if (side == CGAL::NEGATIVE)
+    {
+      std::swap(swept[0], swept[1]);
+    }
+    Box box;
+    for (const Point& p : { a, b, c, w })
+    {
+      box.Add(p);
+    }
+    this->Tree.ForEachOverlap(box,
+      [&](int index)
+      {
+        const Face face(index);
+        if (!sweeps && side != CGAL::COPLANAR &&
+          std::find(star.Faces.begin(), star.Faces.end(), face) == star.Faces.end())
+        {
+          const auto [p, q, r] = CornersOf(this->Surface, face);
+          sweeps = Piercer(ToInexact(p, q, r)).FindContact(swept).Exists();
+        }
+      });
+  }
+  return sweeps;
+}
+
+/**
+ * Whether the new faces around w have no area, or cross or cover each other or the remaining faces. Exact. Faces cover
+ * each other if they have the same corners, in any order.
+ */
+bool Decimator::Crosses(const EdgeStar& star, const Point& w) const
+{
+  std::vector<Corners3> fan;
+  for (const auto& [a, b] : star.Link)
+  {
+    fan.push_back(ToInexact(a, b, w));
+    if (CGAL::collinear(fan.back()[0], fan.back()[1], fan.back()[2]))
+    {
+      return true;
+    }
+    for (std::size_t i = 0; i + 1 < fan.size(); ++i)
+    {
+      if (CrossOrCover(fan.back(), fan[i]))
+      {
+        return true;
+      }
+    }
+  }
+  bool crosses = false;
+  for (std::size_t i = 0; i < fan.size() && !crosses; ++i)
+  {
+    Box box;
+    for (const Point& p : { star.Link[i][0], star.Link[i][1], w })
+    {
+      box.Add(p);
+    }
+    this->Tree.ForEachOverlap(box,
+      [&](int index)
+      {
+        const Face face(index);
+        if (!crosses && std::find(star.Faces.begin(), star.Faces.end(), face) == star.Faces.end())
+        {
+          const auto [a, b, c] = CornersOf(this->Surface, face);
+          crosses = CrossOrCover(fan[i], ToInexact(a, b, c));
+        }
+      });
+  }
+  return crosses;
+}
+
+bool Decimator::IsWithinErrorBound(const EdgeStar& star, const Point& w) const
+{
+  return !this->Distance ||
+    std::all_of(star.Link.begin(), star.Link.end(),
+      [&](const std::array<Point, 2>& edge)
+      {
+        return this->Distance->Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound)
+                 .Upper <= this->ErrorBound;
+      });
+}
+
+void Decimator::Collapse(HalfEdge edge, const EdgeStar& star, const Point& w)
+{
+  Quadric quadric = this->Quadrics[this->Surface.source(edge)];
+  quadric.Add(this->Quadrics[this->Surface.target(edge)]);
+  const Vertex vertex = CGAL::Euler::collapse_edge(this->Surface.edge(edge), this->Surface);
+  this->Surface.point(vertex) = w;
+  this->Quadrics[vertex] = quadric;
+  for (std::size_t i = 0; i < star.Faces.size(); ++i)
+  {
+    Box box;
+    if (i < star.Link.size())
+    {
+      for (const Point& p : { star.Link[i][0], star.Link[i][1], w })
+      {
+        box.Add(p);
+      }
+    }
+    this->Tree.Update(static_cast<int>(star.Faces[i]), box);
+  }
+  this->PushAround(vertex);
+  if (2 * this->Surface.number_of_faces() < this->FacesAtBuild)
+  {
+    this->Tree = BoxTree(BoxesOf(this->Surface));
+    this->FacesAtBuild = this->Surface.number_of_faces();
+  }
+}
+
+/** Pushes the edges whose errors or stars have changed, with their lower bounds. */
+void Decimator::PushAround(Vertex vertex)
+{
+  const HalfEdge first = this->Surface.halfedge(vertex);
+  for (const HalfEdge spoke : CGAL::halfedges_around_target(first, this->Surface))
+  {
+    this->PushBound(spoke);
+    const HalfEdge back = this->Surface.opposite(spoke);
+    for (const HalfEdge edge : CGAL::halfedges_around_target(back, this->Surface))
+    {
+      if (edge != back)
+      {
+        this->PushBound(edge);
+      }
+    }
+  }
+  this->DropOutdated();
+}
+
+} // namespace carving::helper

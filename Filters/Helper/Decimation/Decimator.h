@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Edge collapses that keep a mesh enclosed. Not in the paper.
+ */
+#ifndef carving_Decimator_h
+#define carving_Decimator_h
+
+#include "Core/Mesh/FaceDistance.h"
+#include "Helper/Decimation/BoxTree.h"
+#include "Helper/Decimation/Obstacle.h"
+#include "Helper/Decimation/Placement.h"
+#include "Helper/Decimation/Quadric.h"
+#include "Helper/Decimation/SurfaceMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace carving::helper
+{
+
+/**
+ * Collapses edges of a closed surface around a mesh M, in the order of a quadric error.
+ *
+ * The new vertex lies on the outer side of all faces around its edge, so that the surface after the collapse encloses
+ * the surface before ("progressive hull", Sander et al., "Silhouette clipping", 2000). Then, unless surfaces have to be
+ * nested, it slides inward until its faces touch M. No collapse changes topology or makes the surface cross itself.
+ */
+class Decimator
+{
+public:
+  /** `obstacle` is M, which `surface` encloses and which must outlive this object. */
+  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nested);
+
+  /** No face that a collapse makes may be farther from M. `distance`, from M, must outlive this object. */
+  void SetErrorBound(const FaceDistance<3>& distance, double bound)
+  {
+    this->Distance = &distance;
+    this->ErrorBound = bound;
+    this->VerticesAtRefill = 0; // edges may collapse now that could not before
+  }
+
+  /** Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. */
+  bool Run(const std::function<bool()>& goOn);
+
+  const SurfaceMesh& GetSurface() const
+  {
+    return this->Surface;
+  }
+
+private:
+  struct Candidate
+  {
+    double Cost;
+    SurfaceMesh::size_type Edge;
+    unsigned int Stamp; ///< of the edge; older candidates are out of date
+
+    bool operator<(const Candidate& other) const
+    {
+      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Edge > other.Edge;
+    }
+  };
+
+  void AddPlanes();
+  LocalError ErrorOf(HalfEdge edge) const;
+  void Push(HalfEdge edge, double cost);
+  void PushBound(HalfEdge edge);
+  Candidate Pop();
+  bool IsCurrent(const Candidate& candidate) const;
+  void DropOutdated();
+  bool Refill();
+  bool IsWithinErrorBound(const EdgeStar& star, const Point& w) const;
+  bool IsValid(const EdgeStar& star, const Point& w) const;
+  bool IsFree(const EdgeStar& star, const Point& w) const;
+  bool Crosses(const EdgeStar& star, const Point& w) const;
+  bool SweepsOver(const EdgeStar& star, const Point& w) const;
+  bool Tighten(const EdgeStar& star, const LocalError& error, Point& w);
+  bool TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w);
+  void Collapse(HalfEdge edge, const EdgeStar& star, const Point& w);
+  void PushAround(Vertex vertex);
+
+  SurfaceMesh Surface;
+  BoxTree Tree; ///< of the surface's faces
+  SurfaceMesh::size_type FacesAtBuild;
+  Obstacle M;
+  Placement Place;
+  bool Nested;
+  bool CanSweepOver;                         ///< over a part of itself, without crossing it
+  const FaceDistance<3>* Distance = nullptr; ///< null without an error bound
+  double ErrorBound = 0.0;
+  Point Origin;                     ///< of the quadrics
+  std::vector<Quadric> Quadrics;    ///< per vertex: the planes of the faces that it stands for
+  std::vector<Candidate> Queue;     ///< a heap
+  std::vector<unsigned int> Stamps; ///< per edge: of its last candidate
+  std::vector<char> IsQueued;       ///< per edge: whether this candidate is in the queue
+  SurfaceMesh::size_type VerticesAtRefill = 0;
+};
+
+} // namespace carving::helper
+
+#endif

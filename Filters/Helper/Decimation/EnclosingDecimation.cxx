@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/EnclosingDecimation.h"
+
+#include "Core/Mesh/FaceDistance.h"
+#include "Helper/Base/Kernels.h"
+#include "Helper/Decimation/ClosedSurface.h"
+#include "Helper/Decimation/Decimator.h"
+#include "Helper/Resolve/Clean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace carving::helper
+{
+namespace
+{
+
+bool HasFlatTriangle(const ResolvedMesh& mesh)
+{
+  return std::any_of(mesh.Facets.begin(), mesh.Facets.end(),
+    [&](const Triangle& t)
+    {
+      return CGAL::collinear(
+        ToInexact(mesh.Points[t[0]]), ToInexact(mesh.Points[t[1]]), ToInexact(mesh.Points[t[2]]));
+    });
+}
+
+/** Takes the surface as given if it is closed, and else with equal points merged. */
+std::string Prepare(const TriangleMesh& given, ResolvedMesh& surface)
+{
+  surface = AsResolved(given);
+  if (!HasFlatTriangle(surface) && MakeClosedSurface(surface).empty())
+  {
+    return {};
+  }
+  surface = Clean(AsResolved(given));
+  return MakeClosedSurface(surface);
+}
+
+SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
+{
+  SurfaceMesh surface;
+  surface.reserve(static_cast<SurfaceMesh::size_type>(mesh.Points.size()),
+    static_cast<SurfaceMesh::size_type>(3 * mesh.Facets.size() / 2),
+    static_cast<SurfaceMesh::size_type>(mesh.Facets.size()));
+  for (const Point& p : mesh.Points)
+  {
+    surface.add_vertex(p);
+  }
+  for (const auto& [a, b, c] : mesh.Facets)
+  {
+    surface.add_face(Vertex(a), Vertex(b), Vertex(c));
+  }
+  return surface;
+}
+
+/** The remaining vertices and faces. Vertices that never moved keep their sources. */
+DecimatedSurface Extract(const SurfaceMesh& surface, const ResolvedMesh& original)
+{
+  DecimatedSurface result;
+  std::vector<int> newIndex(surface.num_vertices(), -1);
+  for (const Vertex v : surface.vertices())
+  {
+    newIndex[v] = static_cast<int>(result.Mesh.Points.size());
+    result.Mesh.Points.push_back(surface.point(v));
+    result.PointSources.push_back(
+      surface.point(v) == original.Points[v] ? original.PointSources[v] : -1);
+  }
+  for (const Face face : surface.faces())
+  {
+    Triangle& t = result.Mesh.Triangles.emplace_back();
+    HalfEdge h = surface.halfedge(face);
+    for (int& corner : t)
+    {
+      corner = newIndex[surface.source(h)];
+      h = surface.next(h);
+    }
+  }
+  return result;
+}
+
+/** The largest distance of any point of the surface from the original. */
+double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
+{
+  std::vector<std::pair<double, Face>> candidates;
+  for (const Face face : surface.faces())
+  {
+    candidates.emplace_back(distance.Compute(CornersOf(surface, face), 1).Upper, face);
+  }
+  // Faces that may be far come first: the others need few queries then.
+  std::sort(candidates.rbegin(), candidates.rend());
+  constexpr int anyNumber = std::numeric_limits<int>::max();
+  double largest = 0.0;
+  for (const auto& [bound, face] : candidates)
+  {
+    if (bound > largest)
+    {
+      largest =
+        std::max(largest, distance.Compute(CornersOf(surface, face), anyNumber, largest).Upper);
+    }
+  }
+  return largest;
+}
+
+} // namespace
+
+std::string DecimateEnclosing(const TriangleMesh& given, const DecimationOptions& options,
+  std::vector<DecimatedSurface>& results, const Progress& progress)
+{
+  ResolvedMesh original;
+  const std::string mistake = Prepare(given, original);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  const FaceDistance<3> distance(original);
+  Decimator decimator(AsSurfaceMesh(original), original, options.Nested);
+  const bool byError = options.Type == DecimationTarget::ErrorBound;
+  const double all = std::log(static_cast<double>(original.Points.size()));
+  for (const double target : options.Targets)
+  {
+    if (byError)
+    {
+      decimator.SetErrorBound(distance, target);
+    }
+    bool stopped = false;
+    long long calls = 0;
+    const auto goOn = [&]
+    {
+      const SurfaceMesh& surface = decimator.GetSurface();
+      const double done = 1.0 - std::log(static_cast<double>(surface.number_of_vertices())) / all;
+      stopped = ++calls % 1024 == 0 && !GoOn(progress, done);
+      const auto count = options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
+                                                                     : surface.number_of_vertices();
+      return !stopped && (byError || count > target);
+    };
+    const bool reached = decimator.Run(goOn);
+    if (stopped)
+    {
+      return "stopped";
+    }
+    results.push_back(Extract(decimator.GetSurface(), original));
+    results.back().Reached = reached || byError;
+    results.back().Error = MeasureError(decimator.GetSurface(), distance);
+  }
+  GoOn(progress, 1.0);
+  return {};
+}
+
+} // namespace carving::helper

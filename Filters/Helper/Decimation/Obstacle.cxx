@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/Obstacle.h"
+
+#include "Core/Mesh/Buckets.h"
+#include "Core/Mesh/FacetTree.h"
+#include "Core/Mesh/Vector.h"
+#include "Helper/Enclosing/Pierce.h"
+
+#include <algorithm>
+
+namespace carving::helper
+{
+namespace
+{
+
+/** The distance that contacts leave, as a fraction of M's diagonal: well above rounding errors. */
+constexpr double RelativeMargin = 2e-9;
+
+std::vector<Box> BoxesOf(const ResolvedMesh& mesh)
+{
+  std::vector<Box> boxes(mesh.Facets.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t)
+  {
+    for (const int corner : mesh.Facets[t])
+    {
+      boxes[t].Add(mesh.Points[corner]);
+    }
+  }
+  return boxes;
+}
+
+Corners3 ToInexact(const Point& a, const Point& b, const Point& c)
+{
+  return { helper::ToInexact(a), helper::ToInexact(b), helper::ToInexact(c) };
+}
+
+} // namespace
+
+Obstacle::Obstacle(const ResolvedMesh& mesh)
+  : Mesh(mesh)
+  , Tree(BoxesOf(mesh))
+  , Margin(RelativeMargin * Diagonal(mesh.Points))
+{
+  this->AssignVerticesAndEdges();
+}
+
+void Obstacle::AssignVerticesAndEdges()
+{
+  const std::vector<Triangle>& triangles = this->Mesh.Facets;
+  this->Vertices.assign(triangles.size(), 0);
+  this->Edges.assign(triangles.size(), 0);
+  std::vector<char> isAssigned(this->Mesh.Points.size(), 0);
+  using Edge = std::array<int, 2>; // the greater end; 3 * triangle + corner
+  Buckets<Edge> edges(this->Mesh.Points.size(),
+    [&](auto&& visit)
+    {
+      for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          const auto [lower, upper] = std::minmax({ triangles[t][k], triangles[t][(k + 1) % 3] });
+          visit(lower, Edge{ upper, 3 * t + k });
+        }
+      }
+    });
+  for (int lower = 0; lower < edges.GetNumberOfBuckets(); ++lower)
+  {
+    const auto bucket = edges[lower];
+    std::sort(bucket.begin(), bucket.end());
+    int last = -1;
+    for (const auto& [upper, corner] : bucket)
+    {
+      this->Edges[corner / 3] |= static_cast<unsigned char>((upper != last) << corner % 3);
+      last = upper;
+    }
+  }
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      char& assigned = isAssigned[triangles[t][k]];
+      this->Vertices[t] |= static_cast<unsigned char>(!assigned << k);
+      assigned = 1;
+    }
+  }
+}
+
+std::optional<FirstContact> Obstacle::FindContact(
+  const Fan& fan, const Point& from, const Point& to) const
+{
+  ContactSearch search(fan, from, to, this->Margin);
+  this->Tree.ForEachOverlap(search.GetBounds(),
+    [&](int t)
+    {
+      const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
+      search.AddTriangle(p, q, r);
+      const Point* corners[] = { &p, &q, &r };
+      for (int k = 0; k < 3; ++k)
+      {
+        if (this->Vertices[t] >> k & 1)
+        {
+          search.AddVertex(*corners[k]);
+        }
+        if (this->Edges[t] >> k & 1)
+        {
+          search.AddEdge(*corners[k], *corners[(k + 1) % 3]);
+        }
+      }
+    });
+  return search.Get();
+}
+
+/**
+ * A point of M leaves the solid only if some removed tetrahedron contains the point in its interior, in its face on
+ * the surface, or in a face between two removed tetrahedra. M is the closure of its triangles' interiors, so a
+ * triangle that neither pierces a tetrahedron nor overlaps a face of one in an area loses no point.
+ */
+bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, const Point& w) const
+{
+  bool allowed = true;
+  for (const auto& [a, b, c] : faces)
+  {
+    Box box;
+    for (const Point& p : { a, b, c, w })
+    {
+      box.Add(p);
+    }
+    // w is behind the face, so that this order is positive.
+    const Corners4 tetrahedron = { helper::ToInexact(a), helper::ToInexact(c), helper::ToInexact(b),
+      helper::ToInexact(w) };
+    this->Tree.ForEachOverlap(box,
+      [&](int t)
+      {
+        if (allowed)
+        {
+          const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
+          allowed = !Piercer(ToInexact(p, q, r)).FindContact(tetrahedron).Exists();
+        }
+      });
+  }
+  return allowed;
+}
+
+} // namespace carving::helper

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The position of the vertex that an edge collapses into.
+ */
+#ifndef carving_Placement_h
+#define carving_Placement_h
+
+#include "Helper/Decimation/HalfSpaces.h"
+#include "Helper/Decimation/Obstacle.h"
+#include "Helper/Decimation/SurfaceMesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace carving::helper
+{
+
+/** The error of a position x: a quadric of x - Origin. */
+struct LocalError
+{
+  Quadric Error;
+  Point Origin;
+
+  double At(const Point& x) const
+  {
+    return this->Error.At(x - this->Origin);
+  }
+};
+
+class Placement
+{
+public:
+  /** Positions stay near the convex hull of the obstacle, which must outlive this object. */
+  Placement(const ResolvedMesh& mesh, const Obstacle& obstacle);
+
+  /** Lets positions be farther from the obstacle. Returns false if they may be as far as is sensible. */
+  bool Widen();
+
+  /** The least error of any position. */
+  static double FindLeastError(const LocalError& error);
+
+  /**
+   * The position of least error on the outer side of all faces of a star, exactly. There, the surface after the
+   * collapse encloses the surface before. Nothing if there is no such position.
+   */
+  std::optional<Point> FindOutward(const EdgeStar& star, const LocalError& error);
+
+  /**
+   * The position of least error that a vertex reaches from an outward position while its faces slide along M.
+   * Decided in floating point: the caller has to check the result.
+   */
+  Point SlideInward(const EdgeStar& star, const LocalError& error, const Point& start);
+
+private:
+  std::optional<Point> Minimize(const LocalError& error);
+
+  const Obstacle& M;
+  double Diagonal;
+  double Slack;                   ///< between M and the bounds
+  std::vector<HalfSpace> Bounds;  ///< a polytope around M
+  std::vector<HalfSpace> Current; ///< relative to the origin of the error
+};
+
+} // namespace carving::helper
+
+#endif

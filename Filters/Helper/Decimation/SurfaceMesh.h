@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * A closed surface whose edges can collapse.
+ */
+#ifndef carving_SurfaceMesh_h
+#define carving_SurfaceMesh_h
+
+#include "Helper/Decimation/BoxTree.h"
+#include "Helper/Decimation/FirstContact.h"
+
+#include <CGAL/Surface_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace carving::helper
+{
+
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+using Vertex = SurfaceMesh::Vertex_index;
+using HalfEdge = SurfaceMesh::Halfedge_index;
+using Face = SurfaceMesh::Face_index;
+
+/** The corners of a face, counter-clockwise as seen from the outside. */
+std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face);
+
+/** Whether the surface has a single component, and no two vertices at the same position. */
+bool IsConnectedWithoutCopies(const SurfaceMesh& mesh);
+
+/** The box of each face; empty for removed ones. */
+std::vector<Box> BoxesOf(const SurfaceMesh& mesh);
+
+/** The faces around an edge. */
+struct EdgeStar
+{
+  EdgeStar(const SurfaceMesh& mesh, HalfEdge edge);
+
+  std::vector<Face> Faces;                   ///< around both ends; the two that vanish come last
+  std::vector<std::array<Point, 3>> Corners; ///< of each of these
+  Fan Link; ///< the boundary of the star: an edge of each remaining face
+};
+
+} // namespace carving::helper
+
+#endif

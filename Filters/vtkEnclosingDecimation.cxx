@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkEnclosingDecimation.h"
+
+#include "Convert/ArrayNames.h"
+#include "Convert/ArrayTools.h"
+#include "Convert/CarverInput.h"
+#include "Convert/PointOutput.h"
+#include "Objects/CompositeTree.h"
+#include "Process/HelperProcess.h"
+#include "Session/CarverStages.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+vtkStandardNewMacro(vtkEnclosingDecimation);
+
+namespace
+{
+
+constexpr bool IsSame(vtkEnclosingDecimation::Targets ours, carving::DecimationTarget theirs)
+{
+  return static_cast<int>(ours) == static_cast<int>(theirs);
+}
+static_assert(IsSame(vtkEnclosingDecimation::VERTICES, carving::DecimationTarget::Vertices) &&
+    IsSame(vtkEnclosingDecimation::TRIANGLES, carving::DecimationTarget::Triangles) &&
+    IsSame(vtkEnclosingDecimation::ERROR_BOUND, carving::DecimationTarget::ErrorBound),
+  "the targets are cast");
+
+void FillSurface(const carving::DecimatedSurface& surface, vtkPolyData* input, vtkPolyData* output)
+{
+  carving::ResolvedMesh points;
+  points.Points = surface.Mesh.Points;
+  points.PointSources = surface.PointSources;
+  FillPoints<3>(points, input, output);
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(surface.Mesh.Triangles.size(), 3 * surface.Mesh.Triangles.size());
+  for (const auto& [a, b, c] : surface.Mesh.Triangles)
+  {
+    triangles->InsertNextCell({ a, b, c });
+  }
+  output->SetPolys(triangles);
+  vtkFieldData* fieldData = output->GetFieldData();
+  AddFieldValue<vtkIntArray>(fieldData, "Vertices", static_cast<int>(points.Points.size()));
+  AddFieldValue<vtkIntArray>(fieldData, "NewVertices",
+    static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1)));
+  AddFieldValue<vtkIntArray>(
+    fieldData, "Triangles", static_cast<int>(surface.Mesh.Triangles.size()));
+  AddFieldValue<vtkDoubleArray>(fieldData, "Error", surface.Error);
+}
+
+} // namespace
+
+vtkEnclosingDecimation::vtkEnclosingDecimation()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkEnclosingDecimation::~vtkEnclosingDecimation() = default;
+
+void vtkEnclosingDecimation::AddTarget(double target)
+{
+  if (!std::isfinite(target) || target < 0.0)
+  {
+    vtkErrorMacro(<< "A target cannot be " << target << ": none is added.");
+    return;
+  }
+  this->AllTargets.push_back(target);
+  this->Modified();
+}
+
+void vtkEnclosingDecimation::ClearTargets()
+{
+  this->AllTargets.clear();
+  this->Modified();
+}
+
+void vtkEnclosingDecimation::SetTarget(double target)
+{
+  if (this->AllTargets != std::vector<double>{ target })
+  {
+    this->ClearTargets();
+    this->AddTarget(target);
+  }
+}
+
+int vtkEnclosingDecimation::GetNumberOfTargets()
+{
+  return static_cast<int>(this->AllTargets.size());
+}
+
+double vtkEnclosingDecimation::GetTarget(int i)
+{
+  return i >= 0 && i < this->GetNumberOfTargets() ? this->AllTargets[i] : 0.0;
+}
+
+int vtkEnclosingDecimation::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkMultiBlockDataSet");
+  return 1;
+}
+
+int vtkEnclosingDecimation::RequestData(
+  vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
+{
+  vtkPolyData* input = vtkPolyData::GetData(in[0]);
+  vtkMultiBlockDataSet* all = vtkMultiBlockDataSet::GetData(out, 1);
+  CarverInput gathered;
+  std::string error = gathered.Gather(input);
+  if (!error.empty() || gathered.IsEmpty() || this->AllTargets.empty())
+  {
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
+    return error.empty();
+  }
+  carving::Job job;
+  job.Kind = carving::JobKind::Decimate;
+  job.Mesh = std::move(gathered.Mesh);
+  job.Decimation.Type = static_cast<carving::DecimationTarget>(this->TargetType);
+  job.Decimation.Nested = this->Nested;
+  // From the finest to the coarsest.
+  job.Decimation.Targets = this->AllTargets;
+  std::sort(job.Decimation.Targets.begin(), job.Decimation.Targets.end());
+  if (this->TargetType != ERROR_BOUND)
+  {
+    std::reverse(job.Decimation.Targets.begin(), job.Decimation.Targets.end());
+  }
+  carving::Reply reply;
+  const HelperProcess::Outcome outcome = HelperProcess::Run(
+    job, reply,
+    [this](carving::Stage, double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return !IsAborted(this);
+    },
+    error);
+  if (outcome == HelperProcess::Outcome::Aborted)
+  {
+    return 1;
+  }
+  error = error.empty() ? reply.Error : error;
+  if (!error.empty())
+  {
+    vtkErrorMacro(<< error);
+    return 0;
+  }
+  for (std::size_t i = reply.Surfaces.size(); i-- > 0;)
+  {
+    const carving::DecimatedSurface& surface = reply.Surfaces[i];
+    if (!surface.Reached)
+    {
+      vtkWarningMacro(<< "The target of " << job.Decimation.Targets[i]
+                      << " is out of reach: the coarsest surface has " << surface.Mesh.Points.size()
+                      << " vertices. No further edge can collapse "
+                      << "without a change of topology or a crossing.");
+    }
+    vtkNew<vtkPolyData> level;
+    FillSurface(surface, input, level);
+    const unsigned int block = all->GetNumberOfBlocks();
+    all->SetBlock(block, level);
+    SetBlockName(all, block, "LOD " + std::to_string(block));
+  }
+  vtkPolyData::GetData(out, 0)->ShallowCopy(all->GetBlock(0));
+  return 1;
+}
+
+void vtkEnclosingDecimation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TargetType: " << this->TargetType << "\n";
+  os << indent << "Targets:";
+  for (const double target : this->AllTargets)
+  {
+    os << " " << target;
+  }
+  os << "\n" << indent << "Nested: " << (this->Nested ? "On" : "Off") << "\n";
+}

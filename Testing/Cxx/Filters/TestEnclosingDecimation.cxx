@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * vtkEnclosingDecimation as a filter. What its surfaces have to obey is tested with the helper.
+ */
+#include "Core/Mesh/Vector.h"
+#include "FilterTesting.h"
+#include "Shapes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkEnclosingDecimation.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+/** A sphere of 642 points whose point data are their own coordinates. */
+vtkSmartPointer<vtkPolyData> Sphere()
+{
+  vtkSmartPointer<vtkPolyData> sphere = ToPolyData(models::Sphere(3));
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("Place");
+  places->SetNumberOfComponents(3);
+  places->DeepCopy(sphere->GetPoints()->GetData());
+  places->SetName("Place");
+  sphere->GetPointData()->AddArray(places);
+  return sphere;
+}
+
+double GetValue(vtkPolyData* surface, const char* name)
+{
+  return surface->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+} // namespace
+
+// Port 1 has a surface per target, coarsest first; port 0 has the coarsest.
+TEST(EnclosingDecimation, GivesASurfacePerTarget)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  filter->SetInputData(Sphere());
+  filter->SetTarget(300);
+  filter->AddTarget(50);
+  filter->AddTarget(100);
+  filter->Update();
+  auto* all = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
+  ASSERT_EQ(all->GetNumberOfBlocks(), 3u);
+  for (int i = 0; i < 3; ++i)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(all->GetBlock(i));
+    EXPECT_EQ(surface->GetNumberOfPoints(), i == 0 ? 50 : i == 1 ? 100 : 300);
+    EXPECT_EQ(surface->GetNumberOfPolys(), 2 * surface->GetNumberOfPoints() - 4); // a sphere
+    EXPECT_EQ(GetValue(surface, "Vertices"), surface->GetNumberOfPoints());
+    EXPECT_EQ(GetValue(surface, "Triangles"), surface->GetNumberOfPolys());
+  }
+  ExpectEqualData(filter->GetOutput(), all->GetBlock(0));
+}
+
+// Vertices of the input keep their data and name their point; new ones get the data of the closest.
+TEST(EnclosingDecimation, PassesPointDataOn)
+{
+  const vtkSmartPointer<vtkPolyData> sphere = Sphere();
+  vtkNew<vtkEnclosingDecimation> filter;
+  filter->SetInputData(sphere);
+  filter->SetTarget(600);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  vtkDataArray* places = output->GetPointData()->GetArray("Place");
+  vtkDataArray* ids = output->GetPointData()->GetArray("vtkOriginalPointIds");
+  ASSERT_TRUE(places && ids);
+  int newVertices = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double point[3], place[3];
+    output->GetPoint(i, point);
+    places->GetTuple(i, place);
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
+    newVertices += id < 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(place[k], point[k], id < 0 ? GetValue(output, "Error") : 0.0);
+      EXPECT_TRUE(id < 0 || sphere->GetPoint(id)[k] == point[k]);
+    }
+  }
+  EXPECT_EQ(GetValue(output, "NewVertices"), newVertices);
+  EXPECT_GT(newVertices, 0);
+}
+
+// An error bound is kept.
+TEST(EnclosingDecimation, KeepsAnErrorBound)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  filter->SetInputData(Sphere());
+  filter->SetTargetType(vtkEnclosingDecimation::ERROR_BOUND);
+  filter->SetTarget(0.05);
+  filter->Update();
+  EXPECT_LE(GetValue(filter->GetOutput(), "Error"), 0.05);
+  EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), 300);
+}
+
+// A target out of reach gives the coarsest surface and a warning.
+TEST(EnclosingDecimation, WarnsWhereItSticks)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  const Messages messages(filter);
+  filter->SetInputData(ToPolyData(models::Torus(1.0, 0.3, 16, 8)));
+  filter->SetTarget(3);
+  filter->Update();
+  ASSERT_EQ(messages.Warnings.size(), 1u);
+  EXPECT_NE(messages.Warnings[0].find("is out of reach"), std::string::npos);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 6);
+}
+
+// An input that is not a closed surface without crossings is an error, after which the filter works.
+TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
+{
+  carving::TriangleMesh twisted = models::Tetrahedron(), flat = models::Tetrahedron();
+  std::swap(twisted.Triangles[0][0], twisted.Triangles[0][1]);
+  flat.Points[2] = carving::Between(flat.Points[0], flat.Points[1], 0.5);
+  flat.Triangles = { { 0, 1, 2 } };
+  const carving::TriangleMesh crossing =
+    models::Joined(models::Box({ 0, 0, 0 }, { 2, 2, 2 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 }));
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  for (const auto& [mesh, error] :
+    { std::pair(models::Sheet(2), "is open"), std::pair(twisted, "not an oriented manifold"),
+      std::pair(crossing, "crosses itself"), std::pair(flat, "no triangle with an area") })
+  {
+    filter->SetInputData(ToPolyData(mesh));
+    filter->Update();
+    ASSERT_FALSE(messages.Errors.empty());
+    EXPECT_NE(messages.Errors.back().find(error), std::string::npos) << messages.Errors.back();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+  EXPECT_EQ(messages.Errors.size(), 4u);
+  filter->SetInputData(Sphere());
+  filter->Update();
+  EXPECT_EQ(messages.Errors.size(), 4u);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 642);
+}
+
+// An empty input gives empty outputs, and targets that are no numbers are refused.
+TEST(EnclosingDecimation, AcceptsEmptyInputAndRefusesBadTargets)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  vtkNew<vtkPolyData> empty;
+  filter->SetInputData(empty);
+  filter->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  filter->AddTarget(std::numeric_limits<double>::quiet_NaN());
+  filter->AddTarget(-1.0);
+  EXPECT_EQ(messages.Errors.size(), 2u);
+  EXPECT_EQ(filter->GetNumberOfTargets(), 1);
+}

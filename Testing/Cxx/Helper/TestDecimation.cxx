@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Decimation of closed surfaces, judged in exact arithmetic.
+ */
+#include "Checks.h"
+#include "Core/Mesh/Vector.h"
+#include "Core/Surface/Manifold.h"
+#include "Helper/Decimation/EnclosingDecimation.h"
+#include "HelperRun.h"
+#include "PropertyChecks.h"
+#include "RandomModels.h"
+#include "RealMeshes.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+using namespace carving;
+using helper::DecimateEnclosing;
+
+namespace
+{
+
+/** The number of random surfaces: a slice by default, more through the environment. */
+int NumberOfRandomSurfaces()
+{
+  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_DECIMATIONS");
+  return number ? std::atoi(number) : 40;
+}
+
+std::vector<DecimatedSurface> Decimate(const TriangleMesh& mesh, std::vector<double> targets,
+  bool nested = false, DecimationTarget type = DecimationTarget::Vertices)
+{
+  std::vector<DecimatedSurface> results;
+  EXPECT_EQ(DecimateEnclosing(mesh, { type, std::move(targets), nested }, results), "");
+  return results;
+}
+
+/** V - E + F of a closed surface, which has three edges for every two faces. */
+int EulerCharacteristic(const TriangleMesh& mesh)
+{
+  return static_cast<int>(mesh.Points.size()) - static_cast<int>(mesh.Triangles.size()) / 2;
+}
+
+Point RandomPointOn(const TriangleMesh& mesh, const Triangle& t, std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Point onEdge = Between(mesh.Points[t[0]], mesh.Points[t[1]], uniform(random));
+  return Between(onEdge, mesh.Points[t[2]], uniform(random));
+}
+
+/** Expects that no point of a mesh is outside: all vertices, exactly, and points on all triangles. */
+void ExpectToEnclose(const TriangleMesh& outer, const TriangleMesh& inner, std::mt19937_64& random)
+{
+  for (const Triangle& t : inner.Triangles)
+  {
+    EXPECT_TRUE(checks::Encloses(outer.Points, outer.Triangles, inner.Points[t[0]]));
+    const Point p = RandomPointOn(inner, t, random);
+    EXPECT_TRUE(checks::Encloses(outer.Points, outer.Triangles, p) ||
+      checks::DistanceTo(outer.Points, outer.Triangles, p) < 1e-14 * Diagonal(inner.Points));
+  }
+}
+
+/** The triangles with equal points as one: where a surface has been cut, it may touch itself. */
+std::vector<Triangle> WithPointsMerged(const TriangleMesh& mesh)
+{
+  std::map<Point, int> first;
+  std::vector<Triangle> triangles = mesh.Triangles;
+  for (Triangle& t : triangles)
+  {
+    for (int& corner : t)
+    {
+      corner = first.emplace(mesh.Points[corner], corner).first->second;
+    }
+  }
+  return triangles;
+}
+
+/** Expects a closed surface without crossings around a mesh, with the same Euler characteristic. */
+void ExpectEnclosingSurface(
+  const TriangleMesh& given, const DecimatedSurface& result, std::mt19937_64& random)
+{
+  EXPECT_TRUE(checks::IsClosed(result.Mesh.Triangles));
+  EXPECT_EQ(checks::CountCrossings(result.Mesh.Points, WithPointsMerged(result.Mesh)), 0);
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), EulerCharacteristic(given));
+  ExpectToEnclose(result.Mesh, given, random);
+}
+
+/** A level of a carving of a random mesh, cut into manifolds; empty if there is none. */
+TriangleMesh RandomLevel(std::mt19937_64& random)
+{
+  Job job;
+  job.Mesh = models::MakeRandom(random).Mesh;
+  job.Conformity = Conformity::Auto;
+  const HelperRun run = RunHelper(job);
+  if (!run.Succeeded())
+  {
+    return {};
+  }
+  const Carved carved = CarveResult(run.Reply.Result);
+  const int step = static_cast<int>(random() % (carved.Stream.LastStep() + 1));
+  const Level<3> level = ExtractLevel(carved.Stored, step);
+  const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, level);
+  TriangleMesh mesh;
+  mesh.Triangles = cut.Faces;
+  for (const int point : cut.Points)
+  {
+    mesh.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);
+  }
+  return checks::IsClosed(mesh.Triangles) ? mesh : TriangleMesh();
+}
+
+} // namespace
+
+// Every result has at most as many vertices as its target, encloses the surface and does not cross itself.
+TEST(Decimation, EnclosesSimpleShapes)
+{
+  std::mt19937_64 random(1);
+  for (const TriangleMesh& mesh :
+    { models::Sphere(3), models::Torus(1.0, 0.3, 32, 16), models::Box({ 0, 0, 0 }, { 1, 2, 3 }),
+      models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 2.5, 0, 0 })) })
+  {
+    for (const bool nested : { false, true })
+    {
+      const auto results = Decimate(mesh, { 200, 60, 30 }, nested);
+      ASSERT_EQ(results.size(), 3u);
+      for (std::size_t i = 0; i < results.size(); ++i)
+      {
+        EXPECT_LE(results[i].Mesh.Points.size(), i == 0 ? 200u : i == 1 ? 60u : 30u);
+        EXPECT_TRUE(results[i].Reached);
+        ExpectEnclosingSurface(mesh, results[i], random);
+      }
+    }
+  }
+}
+
+// A void stays a void, with solid around it, however far it shrinks.
+TEST(Decimation, KeepsVoids)
+{
+  std::mt19937_64 random(7);
+  const TriangleMesh hollow =
+    models::Joined(models::Sphere(2), models::Flipped(models::Moved(models::Sphere(2), {}, 0.5)));
+  for (const bool nested : { false, true })
+  {
+    for (const DecimatedSurface& result : Decimate(hollow, { 100, 40, 8 }, nested))
+    {
+      ExpectEnclosingSurface(hollow, result, random);
+    }
+  }
+}
+
+// Every nested result lies inside all coarser ones.
+TEST(Decimation, NestsResults)
+{
+  std::mt19937_64 random(2);
+  const auto results = Decimate(models::Torus(1.0, 0.3, 40, 20), { 300, 100, 40 }, true);
+  ASSERT_EQ(results.size(), 3u);
+  ExpectToEnclose(results[1].Mesh, results[0].Mesh, random);
+  ExpectToEnclose(results[2].Mesh, results[1].Mesh, random);
+}
+
+// Surfaces that touch the mesh are tighter than nested ones.
+TEST(Decimation, IsTighterWithoutNesting)
+{
+  const TriangleMesh torus = models::Torus(1.0, 0.3, 40, 20);
+  const auto tight = Decimate(torus, { 80 }), nested = Decimate(torus, { 80 }, true);
+  const auto volume = [](const DecimatedSurface& surface)
+  { return checks::SixVolume(surface.Mesh.Points, surface.Mesh.Triangles); };
+  EXPECT_LT(volume(tight[0]), volume(nested[0]));
+}
+
+// Levels of carvings, which touch themselves in copies of points, can be decimated.
+TEST(Decimation, EnclosesLevelsOfRandomMeshes)
+{
+  for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
+  {
+    SCOPED_TRACE(i);
+    std::mt19937_64 random(i);
+    const TriangleMesh mesh = RandomLevel(random);
+    if (mesh.Points.size() > 4)
+    {
+      const double half = std::floor(mesh.Points.size() / 2.0);
+      for (const DecimatedSurface& result : Decimate(mesh, { half, half / 4 }, i % 2 == 0))
+      {
+        ExpectEnclosingSurface(mesh, result, random);
+      }
+    }
+  }
+}
+
+// A real mesh is enclosed at a tenth of its vertices.
+TEST(Decimation, EnclosesAnElephant)
+{
+  std::mt19937_64 random(4);
+  const TriangleMesh elephant = ReadRealMesh("elephant.off");
+  const auto results = Decimate(elephant, { elephant.Points.size() / 10.0 });
+  ASSERT_EQ(results.size(), 1u);
+  ExpectEnclosingSurface(elephant, results[0], random);
+}
+
+// The error is that of the farthest point, at most 1 % too large.
+TEST(Decimation, MeasuresTheError)
+{
+  std::mt19937_64 random(5);
+  const TriangleMesh sphere = models::Sphere(3);
+  for (const DecimatedSurface& result : Decimate(sphere, { 300, 100, 20 }))
+  {
+    double farthest = 0.0;
+    for (const Triangle& t : result.Mesh.Triangles)
+    {
+      farthest = std::max(
+        farthest, checks::DistanceTo(sphere.Points, sphere.Triangles, result.Mesh.Points[t[0]]));
+      const Point p = RandomPointOn(result.Mesh, t, random);
+      farthest = std::max(farthest, checks::DistanceTo(sphere.Points, sphere.Triangles, p));
+    }
+    EXPECT_GE(result.Error, farthest);
+    EXPECT_LE(result.Error, 1.02 * farthest); // on a sphere, vertices are the farthest points
+  }
+}
+
+// With an error bound, no point is farther, and a looser bound leaves fewer vertices.
+TEST(Decimation, StaysWithinErrorBounds)
+{
+  const TriangleMesh torus = models::Torus(1.0, 0.3, 48, 24);
+  const auto results = Decimate(torus, { 0.01, 0.03, 0.1 }, false, DecimationTarget::ErrorBound);
+  ASSERT_EQ(results.size(), 3u);
+  std::size_t last = torus.Points.size();
+  for (std::size_t i = 0; i < results.size(); ++i)
+  {
+    EXPECT_LE(results[i].Error, i == 0 ? 0.01 : i == 1 ? 0.03 : 0.1);
+    EXPECT_LT(results[i].Mesh.Points.size(), last);
+    last = results[i].Mesh.Points.size();
+  }
+}
+
+// A target below what the topology allows gives the coarsest surface, marked as such.
+TEST(Decimation, SaysWhereItSticks)
+{
+  const auto results = Decimate(models::Torus(1.0, 0.3, 16, 8), { 3 });
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_FALSE(results[0].Reached);
+  EXPECT_GE(results[0].Mesh.Points.size(), 7u); // no torus has fewer vertices (Csaszar)
+}
+
+// Vertices that stay name the point of the input that they are, bit for bit.
+TEST(Decimation, KeepsSources)
+{
+  const TriangleMesh sphere = models::Sphere(2);
+  const auto results = Decimate(sphere, { 1000, 100 });
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].Mesh.Points, sphere.Points); // nothing to do
+  EXPECT_LT(results[0].Error, 1e-12);
+  for (std::size_t i = 0; i < results[1].PointSources.size(); ++i)
+  {
+    const int source = results[1].PointSources[i];
+    if (source >= 0)
+    {
+      EXPECT_EQ(results[1].Mesh.Points[i], sphere.Points[source]);
+    }
+  }
+}
+
+// An inward surface and separate triangles with equal points are taken as the surface that they are.
+TEST(Decimation, AcceptsSoupsAndInwardSurfaces)
+{
+  std::mt19937_64 random(6);
+  const TriangleMesh sphere = models::Sphere(2);
+  TriangleMesh soup;
+  for (const Triangle& t : sphere.Triangles)
+  {
+    const int first = static_cast<int>(soup.Points.size());
+    for (const int corner : t)
+    {
+      soup.Points.push_back(sphere.Points[corner]);
+    }
+    soup.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  for (const TriangleMesh& mesh : { models::Flipped(sphere), soup })
+  {
+    ExpectEnclosingSurface(sphere, Decimate(mesh, { 50 })[0], random);
+  }
+}
+
+// A surface that is open, not manifold, or crosses itself is refused with the place.
+TEST(Decimation, RefusesWhatIsNoClosedSurface)
+{
+  const auto refusal = [](const TriangleMesh& mesh)
+  {
+    std::vector<DecimatedSurface> results;
+    return DecimateEnclosing(mesh, { DecimationTarget::Vertices, { 10 }, false }, results);
+  };
+  EXPECT_NE(refusal(models::Sheet(2)).find("is open: 8 edges"), std::string::npos);
+  TriangleMesh twisted = models::Tetrahedron();
+  std::swap(twisted.Triangles[0][0], twisted.Triangles[0][1]);
+  EXPECT_NE(refusal(twisted).find("not an oriented manifold: 3 edges"), std::string::npos);
+  const TriangleMesh crossing =
+    models::Joined(models::Box({ 0, 0, 0 }, { 2, 2, 2 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 }));
+  EXPECT_NE(refusal(crossing).find("crosses itself"), std::string::npos);
+  EXPECT_NE(refusal({}).find("no triangle"), std::string::npos);
+}

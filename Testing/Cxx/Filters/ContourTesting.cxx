@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourTesting.h"
 
-#include "FilterTesting.h"
-
 #include "vtkCellArray.h"
-#include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -72,22 +67,6 @@ carving::Point GetPoint(vtkPolyData* contours, vtkIdType i)
 }
 
 } // namespace
-
-void Carve(vtkContourCarver* carver, vtkPolyData* input)
-{
-  carver->SetInputData(input);
-  carver->Update();
-}
-
-vtkPolyData* LastLevel(vtkContourCarver* carver)
-{
-  return GetLevel(carver, static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1);
-}
-
-int FieldValue(vtkPolyData* level, const char* name)
-{
-  return static_cast<int>(level->GetFieldData()->GetArray(name)->GetTuple1(0));
-}
 
 vtkSmartPointer<vtkPolyData> Polygons(const std::vector<Loop>& loops)
 {

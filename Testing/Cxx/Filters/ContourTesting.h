@@ -7,19 +7,12 @@
 #define ContourTesting_h
 
 #include "Core/Mesh/Mesh.h"
+#include "FilterTesting.h"
 #include "vtkContourCarver.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
-#include <set>
 #include <utility>
-#include <vector>
 
 using Loop = std::vector<carving::Point>;
-
-void Carve(vtkContourCarver* carver, vtkPolyData* input);
-vtkPolyData* LastLevel(vtkContourCarver* carver);
-int FieldValue(vtkPolyData* level, const char* name);
 
 /** Each loop becomes a polygon, or a polyline from its first to its last point. */
 vtkSmartPointer<vtkPolyData> Polygons(const std::vector<Loop>& loops);

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -17,8 +18,6 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -191,14 +190,100 @@ vtkSmartPointer<vtkPolyData> TwoBoxes()
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 })));
 }
 
+vtkSmartPointer<vtkTopologyCarver> Carve(vtkDataObject* input, int levels)
+{
+  auto carver = vtkSmartPointer<vtkTopologyCarver>::New();
+  Messages messages(carver);
+  carver->SetNumberOfLevels(levels);
+  Carve(carver, input);
+  EXPECT_TRUE(messages.Errors.empty()) << messages.Errors.front();
+  return carver;
+}
+
+void Carve(vtkCarverAlgorithm* carver, vtkDataObject* input)
+{
+  carver->SetInputDataObject(input);
+  carver->Update();
+}
+
+std::string CarveWithError(vtkCarverAlgorithm* carver, vtkDataObject* input)
+{
+  Messages messages(carver);
+  Carve(carver, input);
+  EXPECT_EQ(CountLevels(carver), 0);
+  return messages.TakeError();
+}
+
+int CountLevels(vtkCarverAlgorithm* carver)
+{
+  return static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+}
+
 vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level)
 {
   return vtkPolyData::SafeDownCast(carver->GetOutput()->GetBlock(static_cast<unsigned int>(level)));
 }
 
+vtkPolyData* LastLevel(vtkCarverAlgorithm* carver)
+{
+  return GetLevel(carver, CountLevels(carver) - 1);
+}
+
+vtkUnstructuredGrid* GetStream(vtkCarverAlgorithm* carver)
+{
+  return vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+}
+
+double GetFieldValue(vtkDataObject* data, const char* name)
+{
+  return data->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+std::string GetFieldText(vtkDataObject* data, const char* name)
+{
+  return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name))->GetValue(0);
+}
+
 int GetLevelStep(vtkCarverAlgorithm* carver, int level)
 {
-  return static_cast<int>(GetLevel(carver, level)->GetFieldData()->GetArray("Step")->GetTuple1(0));
+  return static_cast<int>(GetFieldValue(GetLevel(carver, level), "Step"));
+}
+
+vtkTable* GetProfile(vtkCarverAlgorithm* carver)
+{
+  return vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+}
+
+double GetProfileValue(vtkCarverAlgorithm* carver, vtkIdType step, const char* name)
+{
+  return GetProfile(carver)->GetValueByName(step, name).ToDouble();
+}
+
+testing::AssertionResult Has(const std::string& text, const std::string& words)
+{
+  const bool has = text.find(words) != std::string::npos;
+  return (has ? testing::AssertionSuccess() : testing::AssertionFailure())
+    << "\"" << words << "\" in: " << text;
+}
+
+void ExpectSameLevelsFromStream(vtkCarverAlgorithm* carver)
+{
+  vtkNew<vtkExtractCarvedLOD> extract;
+  vtkNew<vtkUnstructuredGrid> stream; // as from a file, without its filter
+  stream->DeepCopy(GetStream(carver));
+  extract->SetInputData(stream);
+  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  extract->SetManifoldOutput(carver->GetManifoldOutput());
+  for (int i = 0; i < CountLevels(carver); ++i)
+  {
+    vtkPolyData* level = GetLevel(carver, i);
+    if (GetFieldText(level, "Kind") == "carved")
+    {
+      extract->SetLevelTarget(GetLevelStep(carver, i));
+      extract->Update();
+      ExpectEqualData(extract->GetOutput(), level);
+    }
+  }
 }
 
 std::string GetNotes(vtkCarverAlgorithm* carver)
@@ -229,6 +314,14 @@ Messages::~Messages()
   this->Filter->RemoveObserver(this->Tags[0]);
   this->Filter->RemoveObserver(this->Tags[1]);
   this->Filter->GetExecutive()->RemoveObserver(this->Tags[2]);
+}
+
+std::string Messages::TakeError()
+{
+  EXPECT_EQ(this->Errors.size(), 1u);
+  const std::string error = this->Errors.empty() ? "" : this->Errors[0];
+  this->Errors.clear();
+  return error;
 }
 
 void Messages::AddError(vtkObject*, unsigned long, void* text)

@@ -13,10 +13,15 @@
 #include "vtkSmartPointer.h"
 #include "vtkTopologyCarver.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <set>
 #include <string>
 #include <vector>
+
+class vtkTable;
+class vtkUnstructuredGrid;
 
 vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh);
 /** A mesh that the test FetchMeshes has fetched. */
@@ -24,15 +29,35 @@ vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name);
 /** Two boxes with a gap between them: the simplest mesh with tetrahedra to carve. */
 vtkSmartPointer<vtkPolyData> TwoBoxes();
 
+/** Carves into a number of levels, and expects no error. */
+vtkSmartPointer<vtkTopologyCarver> Carve(vtkDataObject* input, int levels = 8);
+/** Carves by the properties of the carver. */
+void Carve(vtkCarverAlgorithm* carver, vtkDataObject* input);
+
+/** Carves, and expects a single error and no level. Returns the error. */
+std::string CarveWithError(vtkCarverAlgorithm* carver, vtkDataObject* input);
+
+int CountLevels(vtkCarverAlgorithm* carver);
 vtkPolyData* GetLevel(vtkCarverAlgorithm* carver, int level);
+vtkPolyData* LastLevel(vtkCarverAlgorithm* carver);
+vtkUnstructuredGrid* GetStream(vtkCarverAlgorithm* carver);
+/** The first value of an array of the field data. */
+double GetFieldValue(vtkDataObject* data, const char* name);
+std::string GetFieldText(vtkDataObject* data, const char* name);
 int GetLevelStep(vtkCarverAlgorithm* carver, int level);
+vtkTable* GetProfile(vtkCarverAlgorithm* carver);
+double GetProfileValue(vtkCarverAlgorithm* carver, vtkIdType step, const char* name);
 /** The notes in the field data of port 0, one per line. */
 std::string GetNotes(vtkCarverAlgorithm* carver);
+/** Whether a text contains these words. */
+testing::AssertionResult Has(const std::string& text, const std::string& words);
 
 /**
  * Expects the same tree, names, points, cells and arrays, bit for bit, in any order of the arrays.
  */
 void ExpectEqualData(vtkDataObject* a, vtkDataObject* b);
+/** Expects that the extractor gives the same carved levels from the stream as the carver. */
+void ExpectSameLevelsFromStream(vtkCarverAlgorithm* carver);
 
 /**
  * Collects the errors and warnings of a filter instead of printing them. Errors, warnings and notes
@@ -46,6 +71,9 @@ public:
   ~Messages();
   Messages(const Messages&) = delete;
   void operator=(const Messages&) = delete;
+
+  /** Expects a single error since the last call, and forgets it. */
+  std::string TakeError();
 
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;

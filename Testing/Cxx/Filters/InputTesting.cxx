@@ -3,9 +3,6 @@
 
 #include "Core/Mesh/Vector.h"
 #include "vtkCellArray.h"
-#include "vtkMultiBlockDataSet.h"
-
-#include <gtest/gtest.h>
 
 using carving::Point;
 
@@ -19,21 +16,6 @@ vtkSmartPointer<vtkPolyData> MakeMesh(const std::vector<Point>& points, const Po
   }
   mesh->SetPolys(polys);
   return mesh;
-}
-
-vtkPolyData* LastLevel(vtkTopologyCarver* carver)
-{
-  return GetLevel(carver, static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1);
-}
-
-vtkSmartPointer<vtkTopologyCarver> Carve(vtkPolyData* input)
-{
-  auto carver = vtkSmartPointer<vtkTopologyCarver>::New();
-  Messages messages(carver);
-  carver->SetInputData(input);
-  carver->Update();
-  EXPECT_TRUE(messages.Errors.empty()) << messages.Errors.front();
-  return carver;
 }
 
 double GetVolume(vtkPolyData* level)

@@ -23,9 +23,6 @@ inline vtkSmartPointer<vtkPolyData> QuadBoxes()
   return QuadBoxes([](const carving::Point& p) { return p; });
 }
 
-/** Carves, and expects no error. */
-vtkSmartPointer<vtkTopologyCarver> Carve(vtkPolyData* input);
-vtkPolyData* LastLevel(vtkTopologyCarver* carver);
 /** The volume that a closed surface of triangles encloses. */
 double GetVolume(vtkPolyData* level);
 

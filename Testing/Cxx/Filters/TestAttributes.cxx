@@ -52,12 +52,10 @@ TEST(Attributes, CarriesPointData)
     names->InsertNextValue("point " + std::to_string(i));
   }
   input->GetPointData()->AddArray(names);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
-  for (unsigned int l = 0; l < carver->GetOutput()->GetNumberOfBlocks(); ++l)
+  const auto carver = Carve(input);
+  for (int l = 0; l < CountLevels(carver); ++l)
   {
-    vtkPolyData* level = GetLevel(carver, static_cast<int>(l));
+    vtkPolyData* level = GetLevel(carver, l);
     vtkDataArray* ids = level->GetPointData()->GetArray("vtkOriginalPointIds");
     vtkDataArray* linear = level->GetPointData()->GetArray("Linear");
     auto* levelNames =
@@ -81,10 +79,7 @@ TEST(Attributes, InterpolatesPointDataAtNewPoints)
   auto input = ToPolyData(
     models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), { 0.7, 0.31, 0.17 })));
   AddLinearPointData(input);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(input, 1);
   vtkPolyData* level = GetLevel(carver, 0);
   vtkDataArray* ids = level->GetPointData()->GetArray("vtkOriginalPointIds");
   vtkDataArray* linear = level->GetPointData()->GetArray("Linear");
@@ -95,7 +90,7 @@ TEST(Attributes, InterpolatesPointDataAtNewPoints)
     EXPECT_NEAR(linear->GetTuple1(i), Linear(level->GetPoint(i)), 1e-9);
   }
   EXPECT_GT(newPoints, 0);
-  EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), newPoints);
+  EXPECT_EQ(GetFieldValue(level, "NewVertices"), newPoints);
 }
 
 // A face of the input has the data of its cell; a carved face has the priority and depth of the
@@ -110,10 +105,7 @@ TEST(Attributes, CarriesCellData)
     part->InsertNextValue(static_cast<int>(100 + i));
   }
   input->GetCellData()->AddArray(part);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(2);
-  carver->Update();
+  const auto carver = Carve(input, 2);
   for (int l = 0; l < 2; ++l)
   {
     vtkCellData* data = GetLevel(carver, l)->GetCellData();
@@ -149,10 +141,7 @@ TEST(Attributes, CountsCellsAsTheInputDoes)
   input->SetLines(lines);
   input->SetPolys(polys);
   input->SetStrips(strips);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(input, 1);
   vtkPolyData* level = GetLevel(carver, 0);
   vtkDataArray* ids = level->GetCellData()->GetArray("vtkOriginalCellIds");
   int found[6] = {};
@@ -187,10 +176,7 @@ TEST(Attributes, SkipsGhostCells)
     ghosts->InsertNextValue(i < 12 ? 0 : vtkDataSetAttributes::DUPLICATECELL);
   }
   input->GetCellData()->AddArray(ghosts);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(input, 1);
   EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPolys(), 12);
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[1], 1.0);
 }
@@ -198,10 +184,7 @@ TEST(Attributes, SkipsGhostCells)
 // The field data of every level describe the level.
 TEST(Attributes, DescribesLevels)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->SetNumberOfLevels(2);
-  carver->Update();
+  const auto carver = Carve(TwoBoxes(), 2);
   for (int l = 0; l < 2; ++l)
   {
     vtkPolyData* level = GetLevel(carver, l);
@@ -212,11 +195,10 @@ TEST(Attributes, DescribesLevels)
     EXPECT_EQ(vtkStringArray::SafeDownCast(data->GetAbstractArray("Kind"))->GetValue(0), "carved");
     EXPECT_NE(data->GetAbstractArray("Strategy"), nullptr);
   }
-  EXPECT_TRUE(
-    std::isinf(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0)));
+  EXPECT_TRUE(std::isinf(GetFieldValue(GetLevel(carver, 0), "FeatureSize")));
   // The longest edge of each tetrahedron in the gap is at least a diagonal of a side, at most of
   // the gap.
-  const double size = GetLevel(carver, 1)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0);
+  const double size = GetFieldValue(GetLevel(carver, 1), "FeatureSize");
   EXPECT_GE(size, std::sqrt(2.0));
   EXPECT_LE(size, std::sqrt(3.0));
 }

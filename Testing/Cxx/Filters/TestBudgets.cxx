@@ -30,11 +30,6 @@ vtkSmartPointer<vtkPolyData> Torus()
   return ToPolyData(models::Torus(1.0, 0.4, 24, 12));
 }
 
-vtkPolyData* LastLevel(vtkTopologyCarver* carver)
-{
-  return GetLevel(carver, static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1);
-}
-
 /** V - E + F of a surface; 2 for a sphere, 0 for a torus. */
 vtkIdType EulerCharacteristic(vtkPolyData* surface)
 {
@@ -81,16 +76,14 @@ int CountComponents(vtkPolyData* surface)
 // Without a budget of tunnels, the last level of a torus is a sphere around it, and a note says so.
 TEST(Budgets, CloseATorus)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(Torus());
-  carver->Update();
+  const auto carver = Carve(Torus());
   EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 0);
   EXPECT_EQ(GetNotes(carver), "");
   carver->SetMaximumTunnels(0);
   carver->Update();
   EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 2);
   EXPECT_EQ(CountComponents(LastLevel(carver)), 1);
-  EXPECT_NE(GetNotes(carver).find("The budget"), std::string::npos);
+  EXPECT_TRUE(Has(GetNotes(carver), "The budget"));
   carver->SetMaximumTunnels(1);
   carver->Update();
   EXPECT_EQ(EulerCharacteristic(LastLevel(carver)), 0);
@@ -102,21 +95,20 @@ TEST(Budgets, CloseATorus)
 TEST(Budgets, KeepPiecesTogetherAndHollowsFilled)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
   carver->SetMaximumComponents(1);
-  carver->Update();
+  Carve(carver, TwoBoxes());
   EXPECT_EQ(CountComponents(LastLevel(carver)), 1);
   carver->SetMaximumComponents(-1);
   carver->Update();
   EXPECT_EQ(CountComponents(LastLevel(carver)), 2);
-  carver->SetInputData(ToPolyData(models::Joined(models::Box({ 0, 0, 0 }, { 3, 3, 3 }),
-    models::Flipped(models::Box({ 1, 1, 1 }, { 2, 2, 2 })))));
   carver->SetMaximumVoids(0);
-  carver->Update();
+  Carve(carver,
+    ToPolyData(models::Joined(models::Box({ 0, 0, 0 }, { 3, 3, 3 }),
+      models::Flipped(models::Box({ 1, 1, 1 }, { 2, 2, 2 })))));
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12);
   // There are tetrahedra to carve, but not within the budget.
-  EXPECT_NE(GetNotes(carver).find("The budget"), std::string::npos);
-  EXPECT_EQ(GetNotes(carver).find("nothing to carve"), std::string::npos);
+  EXPECT_TRUE(Has(GetNotes(carver), "The budget"));
+  EXPECT_FALSE(Has(GetNotes(carver), "nothing to carve"));
   carver->SetMaximumVoids(1);
   carver->Update();
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 24);
@@ -149,7 +141,7 @@ TEST(Budgets, GiveClosedSurfacesAroundSheets)
     carver->SetNumberOfLevels(3);
     carver->Update();
     ASSERT_TRUE(messages.Errors.empty());
-    for (int level = 0; level < static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()); ++level)
+    for (int level = 0; level < CountLevels(carver); ++level)
     {
       EXPECT_EQ(CountOpenEdges(GetLevel(carver, level)), 0);
       EXPECT_EQ(
@@ -167,16 +159,15 @@ TEST(Budgets, GiveClosedSurfacesAroundSheets)
 TEST(Budgets, AreInTheStoredStream)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(Torus());
   carver->SetMaximumComponents(1);
   carver->SetMaximumTunnels(0);
   carver->SetMaximumVoids(0);
-  carver->Update();
-  auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+  Carve(carver, Torus());
+  vtkUnstructuredGrid* stream = GetStream(carver);
   for (const auto& [name, value] : { std::pair("MaximumComponents", 1),
          std::pair("MaximumTunnels", 0), std::pair("MaximumVoids", 0) })
   {
-    EXPECT_EQ(stream->GetFieldData()->GetArray(name)->GetTuple1(0), value);
+    EXPECT_EQ(GetFieldValue(stream, name), value);
   }
   vtkNew<vtkExtractCarvedLOD> extract;
   extract->SetInputData(stream);

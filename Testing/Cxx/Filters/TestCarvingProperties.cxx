@@ -19,16 +19,6 @@
 namespace
 {
 
-vtkUnstructuredGrid* GetStream(vtkTopologyCarver* carver)
-{
-  return vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
-}
-
-double GetFieldValue(vtkTopologyCarver* carver, int level, const char* name)
-{
-  return GetLevel(carver, level)->GetFieldData()->GetArray(name)->GetTuple1(0);
-}
-
 /** A hollow box: an outer box and an inner one that faces the hollow. */
 vtkSmartPointer<vtkPolyData> HollowBox()
 {
@@ -39,9 +29,8 @@ vtkSmartPointer<vtkPolyData> HollowBox()
 /** The number of triangles of the last level. */
 vtkIdType CountTriangles(vtkTopologyCarver* carver)
 {
-  carver->SetNumberOfLevels(1);
   carver->Update();
-  return GetLevel(carver, 0)->GetNumberOfPolys();
+  return LastLevel(carver)->GetNumberOfPolys();
 }
 
 } // namespace
@@ -52,10 +41,9 @@ TEST(CarvingProperties, StartFromABoundingBox)
 {
   vtkNew<vtkTopologyCarver> carver;
   auto sphere = ToPolyData(models::Sphere(2));
-  carver->SetInputData(sphere);
   carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
   carver->SetNumberOfLevels(2);
-  carver->Update();
+  Carve(carver, sphere);
   vtkPolyData* box = GetLevel(carver, 0);
   double input[6], grown[6];
   GetLevel(carver, 1)->GetBounds(input);
@@ -66,8 +54,8 @@ TEST(CarvingProperties, StartFromABoundingBox)
     EXPECT_NEAR(grown[i], input[i] + (i % 2 ? margin : -margin), 1e-12);
   }
   EXPECT_EQ(box->GetNumberOfPolys(), 12);
-  EXPECT_EQ(GetFieldValue(carver, 0, "NewVertices"), 8);
-  EXPECT_EQ(GetFieldValue(carver, 1, "NewVertices"), 0);
+  EXPECT_EQ(GetFieldValue(GetLevel(carver, 0), "NewVertices"), 8);
+  EXPECT_EQ(GetFieldValue(GetLevel(carver, 1), "NewVertices"), 0);
   EXPECT_EQ(GetTriangles(GetLevel(carver, 1)), GetTriangles(sphere));
 }
 
@@ -77,8 +65,7 @@ TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
 {
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  Carve(carver, TwoBoxes());
   const OtherHelper missing("/there/is/no/such/helper");
   carver->SetPriorityMeasure(vtkTopologyCarver::VOLUME);
   carver->SetDepthExponent(2.0);
@@ -100,23 +87,17 @@ TEST(CarvingProperties, NeedTheHelperForTheInitialApproximationAlone)
 TEST(CarvingProperties, NeedAMeshToStartFrom)
 {
   vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
-  carver->SetInputData(TwoBoxes());
   carver->SetInitialApproximation(vtkTopologyCarver::CUSTOM);
-  carver->Update();
-  ASSERT_EQ(messages.Errors.size(), 1u);
-  EXPECT_NE(messages.Errors[0].find("input port 1"), std::string::npos) << messages.Errors[0];
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_TRUE(Has(CarveWithError(carver, TwoBoxes()), "input port 1"));
 }
 
 // Depth by distance is the distance of the centroid from the hull, here from the sides of a box.
 TEST(CarvingProperties, MeasureDepthAsDistance)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes()); // their hull is a box of 3 x 1 x 1
   carver->SetDepthMeasure(vtkTopologyCarver::DISTANCE);
   carver->SetDepthExponent(1.0);
-  carver->Update();
+  Carve(carver, TwoBoxes()); // their hull is a box of 3 x 1 x 1
   vtkUnstructuredGrid* stream = GetStream(carver);
   for (vtkIdType i = 0; i < stream->GetNumberOfCells(); ++i)
   {
@@ -154,16 +135,15 @@ TEST(CarvingProperties, GiveFeatureSizeAsALength)
   {
     carver->SetPriorityMeasure(measure);
     carver->Update();
-    auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
     double smallest = HUGE_VAL;
     for (int step = 1; step <= GetLevelStep(carver, 3); ++step)
     {
-      smallest = std::min(smallest, profile->GetValueByName(step, "Priority").ToDouble());
+      smallest = std::min(smallest, GetProfileValue(carver, step, "Priority"));
     }
     const double length = measure == vtkTopologyCarver::VOLUME ? std::cbrt(smallest)
       : measure == vtkTopologyCarver::CIRCUMRADIUS             ? 2.0 * smallest
                                                                : smallest;
-    EXPECT_NEAR(GetFieldValue(carver, 3, "FeatureSize"), length, 1e-12);
+    EXPECT_NEAR(GetFieldValue(GetLevel(carver, 3), "FeatureSize"), length, 1e-12);
   }
 }
 
@@ -209,7 +189,7 @@ TEST(CarvingProperties, FollowTheSolidRule)
   // With SURFACE_ONLY, both boxes are carved from inside: only their triangles remain.
   carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
   EXPECT_EQ(CountTriangles(carver), 24);
-  vtkDataArray* depth = GetLevel(carver, 0)->GetCellData()->GetArray("Depth");
+  vtkDataArray* depth = LastLevel(carver)->GetCellData()->GetArray("Depth");
   EXPECT_EQ(depth->GetRange()[1], 0.0);
   EXPECT_EQ(GetStream(carver)->GetCellData()->GetArray("Step")->GetRange()[0], 0.0);
 }
@@ -260,9 +240,7 @@ TEST(CarvingProperties, RefuseNumbersThatAreNotFinite)
       (carver->*set)(bad);
       EXPECT_EQ((carver->*get)(), 0.5) << name;
       EXPECT_EQ(carver->GetMTime(), before) << name;
-      ASSERT_EQ(messages.Errors.size(), 1u) << name;
-      EXPECT_NE(messages.Errors[0].find(name), std::string::npos) << messages.Errors[0];
-      messages.Errors.clear();
+      EXPECT_TRUE(Has(messages.TakeError(), name));
     }
   }
   carver->AddLevelTarget(notANumber);
@@ -291,5 +269,5 @@ TEST(CarvingProperties, LimitTheNumberOfLevels)
   carver->AddObserver(vtkCommand::ProgressEvent, observer);
   carver->Update();
   EXPECT_EQ(reports, 21);
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  EXPECT_EQ(CountLevels(carver), 0);
 }

@@ -34,10 +34,7 @@ TEST(Composite, CarvesEachLeafOfATree)
   scene->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "ball");
   scene->GetMetaData(2u)->Set(vtkCompositeDataSet::NAME(), "group");
   group->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "boxes");
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(scene);
-  carver->SetNumberOfLevels(2);
-  carver->Update();
+  const auto carver = Carve(scene, 2);
   for (int port = 0; port < 3; ++port)
   {
     vtkMultiBlockDataSet* tree = GetTree(carver, port);
@@ -68,9 +65,7 @@ TEST(Composite, CarvesPartitions)
   partitions->SetPartition(1, ToPolyData(models::Sphere(1)));
   vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartitionedDataSet(0, partitions);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(collection);
-  carver->Update();
+  const auto carver = Carve(collection);
   auto* inner = vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(0));
   ASSERT_NE(inner, nullptr);
   EXPECT_EQ(inner->GetNumberOfBlocks(), 2u);
@@ -87,11 +82,10 @@ TEST(Composite, GoesOnAfterABadLeaf)
   scene->SetBlock(2, TwoBoxes());
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(scene);
-  carver->Update();
+  Carve(carver, scene);
   ASSERT_EQ(messages.Errors.size(), 2u);
-  EXPECT_NE(messages.Errors[0].find("plane"), std::string::npos);
-  EXPECT_NE(messages.Errors[1].find("Extract Surface"), std::string::npos);
+  EXPECT_TRUE(Has(messages.Errors[0], "plane"));
+  EXPECT_TRUE(Has(messages.Errors[1], "Extract Surface"));
   EXPECT_GT(
     vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);
 }
@@ -104,8 +98,7 @@ TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
   scene->SetBlock(1, ToPolyData(models::Torus(1.0, 0.3, 8, 5)));
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(scene);
-  carver->Update();
+  Carve(carver, scene);
   const OtherHelper missing("/there/is/no/such/helper");
   carver->SetNumberOfLevels(2);
   carver->Update();
@@ -115,9 +108,7 @@ TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
 // The extractor names a leaf that is not a stream, and gives the levels of the other leaves.
 TEST(Composite, GivesTheLevelsOfStreamsAlone)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  const auto carver = Carve(TwoBoxes());
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, TwoBoxes());
   scene->SetBlock(1, carver->GetOutputDataObject(1));
@@ -126,8 +117,7 @@ TEST(Composite, GivesTheLevelsOfStreamsAlone)
   extract->SetInputDataObject(0, scene);
   extract->SetLevelTarget(1e9);
   extract->Update();
-  ASSERT_EQ(messages.Errors.size(), 1u);
-  EXPECT_NE(messages.Errors[0].find("Block 0 \"\" is a vtkPolyData"), std::string::npos);
+  EXPECT_TRUE(Has(messages.TakeError(), "Block 0 \"\" is a vtkPolyData"));
   auto* levels = vtkMultiBlockDataSet::SafeDownCast(extract->GetOutputDataObject(0));
   ASSERT_EQ(levels->GetNumberOfBlocks(), 2u);
   EXPECT_EQ(levels->GetBlock(0), nullptr);
@@ -138,8 +128,7 @@ TEST(Composite, GivesTheLevelsOfStreamsAlone)
   grids->Initialize(1, blocksPerLevel);
   extract->SetInputDataObject(0, grids);
   extract->Update();
-  ASSERT_EQ(messages.Errors.size(), 2u);
-  EXPECT_NE(messages.Errors[1].find("A vtkOverlappingAMR is not the stream"), std::string::npos);
+  EXPECT_TRUE(Has(messages.TakeError(), "A vtkOverlappingAMR is not the stream"));
 }
 
 // The same filter takes a single mesh after a composite, and a composite after a mesh.
@@ -150,11 +139,9 @@ TEST(Composite, FollowsTheTypeOfTheInput)
   vtkNew<vtkTopologyCarver> carver;
   for (int i = 0; i < 2; ++i)
   {
-    carver->SetInputData(scene);
-    carver->Update();
+    Carve(carver, scene);
     EXPECT_TRUE(carver->GetOutputDataObject(1)->IsA("vtkMultiBlockDataSet"));
-    carver->SetInputData(TwoBoxes());
-    carver->Update();
+    Carve(carver, TwoBoxes());
     EXPECT_TRUE(carver->GetOutputDataObject(1)->IsA("vtkUnstructuredGrid"));
     EXPECT_TRUE(carver->GetOutputDataObject(2)->IsA("vtkTable"));
   }

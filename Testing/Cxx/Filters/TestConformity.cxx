@@ -42,25 +42,18 @@ vtkSmartPointer<vtkPolyData> Crossing()
   return data;
 }
 
-std::string GetText(vtkDataObject* data, const char* name)
-{
-  return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name))->GetValue(0);
-}
-
 } // namespace
 
 // The field data of streams and levels name the strategy as the documentation does.
 TEST(Conformity, IsSaidInTheFieldData)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(Crossing());
-  carver->Update();
+  const auto carver = Carve(Crossing());
   const auto expectRung = [&](const char* expected)
   {
-    EXPECT_EQ(GetText(carver->GetOutputDataObject(1), "Strategy"), expected);
-    for (unsigned int i = 0; i < carver->GetOutput()->GetNumberOfBlocks(); ++i)
+    EXPECT_EQ(GetFieldText(carver->GetOutputDataObject(1), "Strategy"), expected);
+    for (int i = 0; i < CountLevels(carver); ++i)
     {
-      EXPECT_EQ(GetText(GetLevel(carver, static_cast<int>(i)), "Strategy"), expected);
+      EXPECT_EQ(GetFieldText(GetLevel(carver, i), "Strategy"), expected);
     }
   };
   expectRung("TetGen -pcY");
@@ -73,24 +66,16 @@ TEST(Conformity, IsSaidInTheFieldData)
 TEST(Conformity, EnclosingKeepsVerticesAndStreams)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(Crossing());
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->SetEnclosingTolerance(0.0);
   carver->SetSolidRule(vtkTopologyCarver::SURFACE_ONLY);
-  carver->Update();
-  vtkNew<vtkExtractCarvedLOD> extract;
-  extract->SetInputDataObject(0, carver->GetOutputDataObject(1));
-  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
-  const int count = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
-  ASSERT_GT(count, 1);
-  for (int i = 0; i < count; ++i)
+  Carve(carver, Crossing());
+  ASSERT_GT(CountLevels(carver), 1);
+  for (int i = 0; i < CountLevels(carver); ++i)
   {
-    vtkPolyData* level = GetLevel(carver, i);
-    EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), 0);
-    extract->SetLevelTarget(GetLevelStep(carver, i));
-    extract->Update();
-    ExpectEqualData(extract->GetOutput(), level);
+    EXPECT_EQ(GetFieldValue(GetLevel(carver, i), "NewVertices"), 0);
   }
+  ExpectSameLevelsFromStream(carver);
 }
 
 // Vertices that snapping moved keep their ids, are new, and have the distance; on levels of the
@@ -105,19 +90,17 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   {
     Messages messages(carver);
     carver->Update();
-    EXPECT_EQ(
-      messages.Errors.size(), 1u); // a change of these properties runs the helper program again
+    messages.TakeError(); // a change of these properties runs the helper program again
   }
   carver->SetSnapTolerance(1e-6);
   carver->Update();
-  const int last = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1;
-  ASSERT_GE(last, 0);
-  vtkPolyData* level = GetLevel(carver, last);
-  EXPECT_EQ(GetText(level, "Strategy").find("TetGen -pcY, snapped"), 0u);
-  const double farthest = level->GetFieldData()->GetArray("SnapDistance")->GetTuple1(0);
+  vtkPolyData* level = LastLevel(carver);
+  ASSERT_TRUE(level);
+  EXPECT_EQ(GetFieldText(level, "Strategy").find("TetGen -pcY, snapped"), 0u);
+  const double farthest = GetFieldValue(level, "SnapDistance");
   EXPECT_GT(farthest, 0.0);
-  EXPECT_NE(GetNotes(carver).find("An attempt failed."), std::string::npos);
-  EXPECT_NE(GetNotes(carver).find("The mesh was snapped"), std::string::npos);
+  EXPECT_TRUE(Has(GetNotes(carver), "An attempt failed."));
+  EXPECT_TRUE(Has(GetNotes(carver), "The mesh was snapped"));
   int moved = 0;
   for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
   {
@@ -134,13 +117,8 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   }
   EXPECT_GT(moved, 0);
   EXPECT_LT(moved, level->GetNumberOfPoints()); // points at 0 and 1 are on every grid
-  EXPECT_EQ(level->GetFieldData()->GetArray("NewVertices")->GetTuple1(0), moved);
-  vtkNew<vtkExtractCarvedLOD> extract;
-  extract->SetInputDataObject(0, carver->GetOutputDataObject(1));
-  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
-  extract->SetLevelTarget(GetLevelStep(carver, last));
-  extract->Update();
-  ExpectEqualData(extract->GetOutput(), level);
+  EXPECT_EQ(GetFieldValue(level, "NewVertices"), moved);
+  ExpectSameLevelsFromStream(carver);
 }
 
 // If all attempts fail, a note describes each of them, including snapping.
@@ -151,9 +129,8 @@ TEST(Conformity, NotesEveryAttempt)
   carver->SetInputData(ToPolyData(models::Doubled(models::Sphere(1), 1e-13, random)));
   carver->SetSnapTolerance(1e-30); // smaller than the spacing of doubles near 1
   carver->Update();
-  EXPECT_EQ(GetText(GetLevel(carver, 0), "Strategy"), "Delaunay, enclosing");
-  const std::string notes = GetNotes(carver);
-  EXPECT_NE(notes.find("An attempt failed. Snapping: on a grid of"), std::string::npos) << notes;
+  EXPECT_EQ(GetFieldText(GetLevel(carver, 0), "Strategy"), "Delaunay, enclosing");
+  EXPECT_TRUE(Has(GetNotes(carver), "An attempt failed. Snapping: on a grid of"));
 }
 
 // With AppendInput, a mesh that is only enclosed follows as given, with its data.
@@ -161,19 +138,17 @@ TEST(Conformity, AppendsTheInputOnRequest)
 {
   vtkNew<vtkTopologyCarver> carver;
   auto input = Crossing();
-  carver->SetInputData(input);
   carver->AppendInputOn();
-  carver->Update();
-  const unsigned int exact = carver->GetOutput()->GetNumberOfBlocks();
-  EXPECT_EQ(GetText(GetLevel(carver, static_cast<int>(exact) - 1), "Kind"), "carved");
+  Carve(carver, input);
+  EXPECT_EQ(GetFieldText(LastLevel(carver), "Kind"), "carved");
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->Update();
-  const int last = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks()) - 1;
+  const int last = CountLevels(carver) - 1;
   vtkPolyData* level = GetLevel(carver, last);
-  EXPECT_EQ(GetText(level, "Kind"), "input");
-  EXPECT_EQ(GetText(GetLevel(carver, last - 1), "Kind"), "carved");
+  EXPECT_EQ(GetFieldText(level, "Kind"), "input");
+  EXPECT_EQ(GetFieldText(GetLevel(carver, last - 1), "Kind"), "carved");
   EXPECT_EQ(GetTriangles(level), GetTriangles(input));
-  EXPECT_NE(GetNotes(carver).find("The mesh is only enclosed"), std::string::npos);
+  EXPECT_TRUE(Has(GetNotes(carver), "The mesh is only enclosed"));
   for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
   {
     const double cell = level->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i);
@@ -189,11 +164,9 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
   std::mt19937_64 random(2);
   for (const bool matters : { false, true })
   {
-    vtkNew<vtkTopologyCarver> carver;
-    carver->SetInputData(matters ? ToPolyData(models::Assembly(12, random)) : TwoBoxes());
-    carver->Update();
-    ASSERT_GT(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-    EXPECT_EQ(GetText(GetLevel(carver, 0), "Strategy"),
+    const auto carver = Carve(matters ? ToPolyData(models::Assembly(12, random)) : TwoBoxes());
+    ASSERT_GT(CountLevels(carver), 0);
+    EXPECT_EQ(GetFieldText(GetLevel(carver, 0), "Strategy"),
       matters ? "TetGen -pcY, without interior" : "TetGen -pcY");
     EXPECT_EQ(GetNotes(carver).find("inside the solid") != std::string::npos, matters);
     const OtherHelper broken("/bin/false");
@@ -209,9 +182,8 @@ TEST(Conformity, RunsAgainForAnotherSolidOnlyWhereThatMatters)
 TEST(Conformity, IsCachedLikeTheOtherSettings)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
-  carver->Update();
+  Carve(carver, TwoBoxes());
   const OtherHelper broken("/bin/false");
   carver->SetNumberOfLevels(3);
   carver->AppendInputOn();

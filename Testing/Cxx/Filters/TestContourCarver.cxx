@@ -29,7 +29,7 @@ void AskForAllSteps(vtkContourCarver* carver, vtkPolyData* input)
 {
   Carve(carver, input);
   carver->SetLevelTargetType(vtkContourCarver::STEP);
-  for (int step = 0; step <= FieldValue(LastLevel(carver), "Step"); ++step)
+  for (int step = 0; step <= GetFieldValue(LastLevel(carver), "Step"); ++step)
   {
     carver->AddLevelTarget(step);
   }
@@ -142,7 +142,7 @@ TEST(ContourCarver, ResolvesCrossings)
   EXPECT_EQ(Edges(last),
     Edges(Polylines(
       { { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 } }, { { 0, 2, 0 }, { 1, 1, 0 }, { 2, 0, 0 } } })));
-  EXPECT_EQ(FieldValue(last, "NewVertices"), 1);
+  EXPECT_EQ(GetFieldValue(last, "NewVertices"), 1);
   EXPECT_EQ(last->GetNumberOfPoints(), 5);
   for (vtkIdType i = 0; i < 5; ++i)
   {
@@ -167,7 +167,7 @@ TEST(ContourCarver, ShrinksToTheInput)
   auto input = Medley();
   AskForAllSteps(carver, input);
   double before = Area(GetLevel(carver, 0));
-  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  const int levels = CountLevels(carver);
   ASSERT_GT(levels, 20);
   for (int i = 1; i < levels; ++i)
   {
@@ -185,14 +185,13 @@ TEST(ContourCarver, AgreesWithItsProfile)
   vtkNew<vtkContourCarver> carver;
   carver->ManifoldOutputOff();
   AskForAllSteps(carver, Medley());
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
-  ASSERT_EQ(profile->GetNumberOfRows(), levels);
+  const int levels = CountLevels(carver);
+  ASSERT_EQ(GetProfile(carver)->GetNumberOfRows(), levels);
   for (int i = 0; i < levels; ++i)
   {
     vtkPolyData* level = GetLevel(carver, i);
-    EXPECT_EQ(profile->GetValueByName(i, "Vertices").ToInt(), level->GetNumberOfPoints());
-    EXPECT_EQ(profile->GetValueByName(i, "Triangles").ToInt(), level->GetNumberOfLines());
+    EXPECT_EQ(GetProfileValue(carver, i, "Vertices"), level->GetNumberOfPoints());
+    EXPECT_EQ(GetProfileValue(carver, i, "Triangles"), level->GetNumberOfLines());
   }
 }
 
@@ -201,8 +200,7 @@ TEST(ContourCarver, CutsIntoClosedLoops)
 {
   vtkNew<vtkContourCarver> carver;
   AskForAllSteps(carver, Medley());
-  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
-  for (int i = 0; i < levels; ++i)
+  for (int i = 0; i < CountLevels(carver); ++i)
   {
     for (const auto& degrees : Degrees(GetLevel(carver, i)))
     {
@@ -218,8 +216,8 @@ TEST(ContourCarver, CutsTouchingSquaresApart)
   vtkNew<vtkContourCarver> carver;
   Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 8);
-  EXPECT_EQ(FieldValue(LastLevel(carver), "Vertices"), 7);
-  EXPECT_EQ(FieldValue(LastLevel(carver), "SurfaceComponents"), 2);
+  EXPECT_EQ(GetFieldValue(LastLevel(carver), "Vertices"), 7);
+  EXPECT_EQ(GetFieldValue(LastLevel(carver), "SurfaceComponents"), 2);
   for (const auto& degrees : Degrees(LastLevel(carver)))
   {
     EXPECT_EQ(degrees, std::pair(1, 1));
@@ -234,15 +232,8 @@ TEST(ContourCarver, StreamsToTheExtractor)
 {
   vtkNew<vtkContourCarver> carver;
   Carve(carver, Medley());
-  vtkNew<vtkExtractCarvedLOD> extract;
-  extract->SetInputConnection(carver->GetOutputPort(1));
-  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
-  for (int i = 0; i < 8; ++i)
-  {
-    extract->SetLevelTarget(GetLevelStep(carver, i));
-    extract->Update();
-    ExpectEqualData(extract->GetOutput(), GetLevel(carver, i));
-  }
+  EXPECT_EQ(CountLevels(carver), 8);
+  ExpectSameLevelsFromStream(carver);
 }
 
 // A priority is the measure of the triangle, divided by a power of the distance of its centroid
@@ -258,7 +249,7 @@ TEST(ContourCarver, TakesMeasuresAndDepth)
     carver->SetDepthMeasure(vtkContourCarver::DISTANCE);
     auto input = Medley();
     Carve(carver, input);
-    auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+    vtkUnstructuredGrid* stream = GetStream(carver);
     int carved = 0;
     for (vtkIdType cell = 0; cell < stream->GetNumberOfCells(); ++cell)
     {
@@ -298,13 +289,13 @@ TEST(ContourCarver, TakesFewerStepsWithBreadth)
 {
   vtkNew<vtkContourCarver> carver;
   auto input = Medley();
-  int steps = 0;
+  double steps = 0;
   for (const double radius : { 1.0, 0.3, 0.0 })
   {
     carver->SetBreadthRadius(radius);
     Carve(carver, input);
-    EXPECT_GT(FieldValue(LastLevel(carver), "Step"), steps);
-    steps = FieldValue(LastLevel(carver), "Step");
+    EXPECT_GT(GetFieldValue(LastLevel(carver), "Step"), steps);
+    steps = GetFieldValue(LastLevel(carver), "Step");
     EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   }
 }

@@ -124,9 +124,7 @@ TEST(DamagedCells, MayHaveNoCellsOfTheComplement)
   const vtkIdType tetrahedron[] = { 0, 1, 2, 3 };
   foreign->InsertNextCell(VTK_TETRA, 4, tetrahedron);
   ExpectError(foreign, "is missing");
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(models::Tetrahedron()));
-  carver->Update();
+  const auto carver = Carve(ToPolyData(models::Tetrahedron()));
   vtkNew<vtkUnstructuredGrid> convex;
   convex->DeepCopy(carver->GetOutputDataObject(1));
   EXPECT_EQ(convex->GetNumberOfCells(), 4);

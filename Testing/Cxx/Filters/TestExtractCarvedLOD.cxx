@@ -38,22 +38,13 @@ TEST(ExtractCarvedLOD, GivesTheCarversLevels)
     for (const bool other : { false, true })
     {
       vtkNew<vtkTopologyCarver> carver;
-      carver->SetInputData(ReadReal(mesh));
       carver->SetManifoldOutput(!other);
       carver->SetKeepBothFoldSides(other);
       carver->SetSolidRule(
         other ? vtkTopologyCarver::SURFACE_ONLY : vtkTopologyCarver::NONZERO_WINDING);
-      carver->Update();
-      vtkNew<vtkExtractCarvedLOD> extract;
-      extract->SetInputData(CopyStream(carver));
-      extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
-      extract->SetManifoldOutput(!other);
-      for (int i = 0; i < 8; ++i)
-      {
-        extract->SetLevelTarget(GetLevelStep(carver, i));
-        extract->Update();
-        ExpectEqualData(GetLevel(carver, i), extract->GetOutput());
-      }
+      Carve(carver, ReadReal(mesh));
+      EXPECT_EQ(CountLevels(carver), 8);
+      ExpectSameLevelsFromStream(carver);
     }
   }
 }
@@ -86,25 +77,22 @@ TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
 TEST(ExtractCarvedLOD, StopsBeforeAFeatureSize)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("bones.off"));
   carver->SetLevelTargetType(vtkTopologyCarver::FEATURE_SIZE);
   carver->AddLevelTarget(1.0);
-  carver->Update();
-  EXPECT_GT(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0), 1.0);
+  Carve(carver, ReadReal("bones.off"));
+  EXPECT_GT(GetFieldValue(GetLevel(carver, 0), "FeatureSize"), 1.0);
   const int next = GetLevelStep(carver, 0) + 1;
   carver->ClearLevelTargets();
   carver->SetLevelTargetType(vtkTopologyCarver::STEP);
   carver->AddLevelTarget(next);
   carver->Update();
-  EXPECT_LE(GetLevel(carver, 0)->GetFieldData()->GetArray("FeatureSize")->GetTuple1(0), 1.0);
+  EXPECT_LE(GetFieldValue(GetLevel(carver, 0), "FeatureSize"), 1.0);
 }
 
 // A step beyond the last gives the last level and a warning.
 TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  const auto carver = Carve(TwoBoxes());
   vtkNew<vtkExtractCarvedLOD> extract;
   Messages messages(extract);
   extract->SetInputData(CopyStream(carver));
@@ -119,9 +107,7 @@ TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
 // one error.
 TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  const auto carver = Carve(TwoBoxes());
   auto withoutSteps = CopyStream(carver);
   withoutSteps->GetCellData()->RemoveArray("Step");
   auto withoutProfile = CopyStream(carver);
@@ -147,9 +133,8 @@ TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
 TEST(ExtractCarvedLOD, GivesTheCarversProfile)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
   carver->ComputeErrorOn();
-  carver->Update();
+  Carve(carver, TwoBoxes());
   vtkNew<vtkExtractCarvedLOD> extract;
   vtkNew<vtkTable> profile;
   EXPECT_FALSE(extract->GetProfile(profile));
@@ -162,9 +147,7 @@ TEST(ExtractCarvedLOD, GivesTheCarversProfile)
 // A changed stream is read again.
 TEST(ExtractCarvedLOD, FollowsAChangedStream)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  const auto carver = Carve(TwoBoxes());
   auto stream = CopyStream(carver);
   vtkNew<vtkExtractCarvedLOD> extract;
   extract->SetInputData(stream);
@@ -172,8 +155,7 @@ TEST(ExtractCarvedLOD, FollowsAChangedStream)
   extract->SetLevelTarget(0);
   extract->Update();
   const vtkIdType before = extract->GetOutput()->GetNumberOfPolys();
-  carver->SetInputData(ReadReal("elephant.off"));
-  carver->Update();
+  Carve(carver, ReadReal("elephant.off"));
   stream->DeepCopy(carver->GetOutputDataObject(1));
   extract->Update();
   EXPECT_NE(extract->GetOutput()->GetNumberOfPolys(), before);

@@ -17,6 +17,16 @@
 namespace
 {
 
+/** Expects that a carver gives several levels without an error. */
+void ExpectLevels(vtkTopologyCarver* carver)
+{
+  Messages messages(carver);
+  carver->Modified();
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_GT(CountLevels(carver), 1);
+}
+
 /** Expects an error with `words` from another helper program, and then levels from the real one. */
 void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
 {
@@ -29,26 +39,16 @@ void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
     carver->Update();
   }
   leftovers.ExpectNone();
-  ASSERT_EQ(messages.Errors.size(), 1u);
-  EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-  messages.Errors.clear();
-  carver->Modified();
-  carver->Update();
-  EXPECT_TRUE(messages.Errors.empty());
-  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  EXPECT_TRUE(Has(messages.TakeError(), words));
+  EXPECT_EQ(CountLevels(carver), 0);
+  ExpectLevels(carver);
 }
 
 /** The error for an input. */
 std::string ErrorFor(vtkPolyData* input)
 {
   vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
-  carver->SetInputData(input);
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-  EXPECT_EQ(messages.Errors.size(), 1u);
-  return messages.Errors.empty() ? "" : messages.Errors[0];
+  return CarveWithError(carver, input);
 }
 
 /** During its lifetime, aborts a filter once it has reported a stage a number of times. */
@@ -156,7 +156,7 @@ TEST(Faults, KillsAHangingHelperOnAbort)
     carver->Update();
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1000));
     EXPECT_TRUE(messages.Errors.empty());
-    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+    EXPECT_EQ(CountLevels(carver), 0);
     leftovers.ExpectNone();
   }
 }
@@ -176,10 +176,10 @@ TEST(Faults, CanBeAbortedAtEveryStage)
       carver->Update();
     }
     leftovers.ExpectNone();
-    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u) << stage;
+    EXPECT_EQ(CountLevels(carver), 0) << stage;
     carver->Modified();
     carver->Update();
-    EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u) << stage;
+    EXPECT_EQ(CountLevels(carver), 8) << stage;
     EXPECT_TRUE(messages.Errors.empty()) << stage;
   }
 }
@@ -195,8 +195,7 @@ TEST(Faults, CanBeAbortedWithinAnAttempt)
     Messages messages(carver);
     const Aborter aborter(carver, "tetrahedralize", 4);
     carver->SetConformity(conformity);
-    carver->SetInputData(input);
-    carver->Update();
+    Carve(carver, input);
     EXPECT_TRUE(carver->GetAbortExecute());
     EXPECT_TRUE(messages.Errors.empty());
     leftovers.ExpectNone();
@@ -213,34 +212,24 @@ TEST(Faults, ReportsALimitThatIsReached)
   {
     const Leftovers leftovers;
     vtkNew<vtkTopologyCarver> carver;
-    Messages messages(carver);
-    carver->SetInputData(input);
     carver->SetConformity(conformity);
     // Memory for a part of the work, more in each round.
     for (const int mebibytes : { 20, 40, 60 })
     {
       carver->SetMemoryLimit(mebibytes);
-      carver->Update();
-      ASSERT_EQ(messages.Errors.size(), 1u) << mebibytes;
-      EXPECT_NE(messages.Errors[0].find("ran out of memory"), std::string::npos)
-        << messages.Errors[0];
-      EXPECT_NE(messages.Errors[0].find("MemoryLimit"), std::string::npos) << messages.Errors[0];
-      messages.Errors.clear();
+      const std::string error = CarveWithError(carver, input);
+      EXPECT_TRUE(Has(error, "ran out of memory"));
+      EXPECT_TRUE(Has(error, "MemoryLimit"));
     }
     carver->SetMemoryLimit(0);
     carver->SetTimeLimit(0.01);
-    carver->Update();
-    ASSERT_EQ(messages.Errors.size(), 1u);
-    EXPECT_NE(messages.Errors[0].find("took longer than 0.01 s"), std::string::npos)
-      << messages.Errors[0];
-    EXPECT_NE(messages.Errors[0].find("TimeLimit"), std::string::npos) << messages.Errors[0];
-    messages.Errors.clear();
+    const std::string error = CarveWithError(carver, input);
+    EXPECT_TRUE(Has(error, "took longer than 0.01 s"));
+    EXPECT_TRUE(Has(error, "TimeLimit"));
     leftovers.ExpectNone();
     carver->SetTimeLimit(0);
     carver->SetInputData(TwoBoxes());
-    carver->Update();
-    EXPECT_TRUE(messages.Errors.empty());
-    EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+    ExpectLevels(carver);
   }
 }
 
@@ -248,13 +237,10 @@ TEST(Faults, ReportsALimitThatIsReached)
 TEST(Faults, TakesAnyLimit)
 {
   vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
   carver->SetInputData(TwoBoxes());
   carver->SetTimeLimit(std::numeric_limits<double>::max());
   carver->SetMemoryLimit(std::numeric_limits<double>::max());
-  carver->Update();
-  EXPECT_TRUE(messages.Errors.empty());
-  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  ExpectLevels(carver);
 }
 
 // A job or a reply that cannot be written is an error that says so.
@@ -276,14 +262,9 @@ TEST(Faults, ReportsThatThereIsNoRoom)
         const ResourceLimit fileSize(RLIMIT_FSIZE, bytes); // as on a full disk
         carver->Update();
       }
-      ASSERT_EQ(messages.Errors.size(), 1u);
-      EXPECT_NE(messages.Errors[0].find(words), std::string::npos) << messages.Errors[0];
-      messages.Errors.clear();
+      EXPECT_TRUE(Has(messages.TakeError(), words));
       leftovers.ExpectNone();
-      carver->Modified();
-      carver->Update();
-      EXPECT_TRUE(messages.Errors.empty());
-      EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+      ExpectLevels(carver);
     }
   }
 }
@@ -300,12 +281,8 @@ TEST(Faults, ReportsThatNoFileCanBeOpened)
     const ResourceLimit files(RLIMIT_NOFILE, static_cast<rlim_t>(next));
     carver->Update();
   }
-  ASSERT_EQ(messages.Errors.size(), 1u);
-  EXPECT_NE(messages.Errors[0].find("No file in memory could be opened"), std::string::npos);
-  carver->Modified();
-  carver->Update();
-  EXPECT_EQ(messages.Errors.size(), 1u);
-  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  EXPECT_TRUE(Has(messages.TakeError(), "No file in memory could be opened"));
+  ExpectLevels(carver);
 }
 
 // In EXACT mode, a mesh that TetGen refuses is an error with advice; in AUTO mode, the same filter
@@ -314,20 +291,15 @@ TEST(Faults, ReportsThatTetGenGaveUp)
 {
   std::mt19937_64 random(1);
   vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
-  carver->SetInputData(ToPolyData(models::Soup(200, random)));
   carver->SetConformity(vtkTopologyCarver::EXACT);
   carver->SetTimeLimit(0.5); // points on the triangles would take many times as long
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-  ASSERT_EQ(messages.Errors.size(), 1u);
-  EXPECT_NE(messages.Errors[0].find("TetGen"), std::string::npos) << messages.Errors[0];
-  EXPECT_NE(messages.Errors[0].find("Conformity"), std::string::npos) << messages.Errors[0];
+  const std::string error = CarveWithError(carver, ToPolyData(models::Soup(200, random)));
+  EXPECT_TRUE(Has(error, "TetGen"));
+  EXPECT_TRUE(Has(error, "Conformity"));
   carver->SetTimeLimit(0.0);
   carver->SetConformity(vtkTopologyCarver::AUTO);
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u);
-  EXPECT_EQ(messages.Errors.size(), 1u);
+  ExpectLevels(carver);
+  EXPECT_EQ(CountLevels(carver), 8);
 }
 
 // A coordinate that is not finite is an error that names the first such point.
@@ -338,7 +310,7 @@ TEST(Faults, NamesThePointThatIsNotFinite)
   {
     auto input = TwoBoxes();
     input->GetPoints()->SetPoint(5, 0, bad, 0);
-    EXPECT_NE(ErrorFor(input).find("Point 5"), std::string::npos);
+    EXPECT_TRUE(Has(ErrorFor(input), "Point 5"));
   }
 }
 
@@ -347,23 +319,18 @@ TEST(Faults, IgnoresUnusedPoints)
 {
   auto input = TwoBoxes();
   input->GetPoints()->InsertNextPoint(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
-  carver->SetInputData(input);
-  carver->Update();
-  EXPECT_TRUE(messages.Errors.empty());
+  Carve(input);
 }
 
 // A flat mesh is an error that says that there is no volume.
 TEST(Faults, ReportsAFlatMesh)
 {
-  EXPECT_NE(ErrorFor(ToPolyData(models::Sheet(3))).find("plane"), std::string::npos);
+  EXPECT_TRUE(Has(ErrorFor(ToPolyData(models::Sheet(3))), "plane"));
 }
 
 // A mesh of degenerate triangles is an error that says that there is no area.
 TEST(Faults, ReportsAMeshWithoutArea)
 {
-  EXPECT_NE(ErrorFor(ToPolyData({ { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } } }))
-              .find("area"),
-    std::string::npos);
+  EXPECT_TRUE(Has(
+    ErrorFor(ToPolyData({ { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 2, 2 } }, { { 0, 1, 2 } } })), "area"));
 }

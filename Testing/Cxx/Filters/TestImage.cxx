@@ -16,9 +16,7 @@
 // Eight levels of the bones of a foot look like the approved baseline image.
 TEST(Image, LevelsOfBones)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("bones.off"));
-  carver->Update();
+  const auto carver = Carve(ReadReal("bones.off"));
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);

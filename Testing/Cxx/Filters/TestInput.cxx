@@ -31,21 +31,10 @@ namespace
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/** The single error of a carver. */
-std::string ErrorOf(vtkCarverAlgorithm* carver, vtkDataObject* input)
-{
-  Messages messages(carver);
-  carver->SetInputDataObject(0, input);
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-  EXPECT_EQ(messages.Errors.size(), 1u);
-  return messages.Errors.empty() ? "" : messages.Errors[0];
-}
-
 std::string ErrorOf(vtkDataObject* input)
 {
   vtkNew<vtkTopologyCarver> carver;
-  return ErrorOf(carver, input);
+  return CarveWithError(carver, input);
 }
 
 /** Two boxes; the time is the width of their gap. */
@@ -111,21 +100,19 @@ TEST(Input, NamesExtractSurfaceForGrids)
   vtkNew<vtkTable> table;
   vtkNew<vtkTopologyCarver> carver;
   vtkNew<vtkContourCarver> contourCarver;
-  for (vtkDataObject* input : { static_cast<vtkDataObject*>(image.Get()),
-         static_cast<vtkDataObject*>(grid.Get()), static_cast<vtkDataObject*>(table.Get()) })
+  for (vtkDataObject* input : std::initializer_list<vtkDataObject*>{ image, grid, table })
   {
-    for (vtkCarverAlgorithm* filter : { static_cast<vtkCarverAlgorithm*>(carver.Get()),
-           static_cast<vtkCarverAlgorithm*>(contourCarver.Get()) })
+    for (vtkCarverAlgorithm* filter :
+      std::initializer_list<vtkCarverAlgorithm*>{ carver, contourCarver })
     {
-      const std::string error = ErrorOf(filter, input);
-      EXPECT_NE(error.find(input->GetClassName()), std::string::npos) << error;
-      EXPECT_NE(error.find("Extract Surface"), std::string::npos) << error;
+      const std::string error = CarveWithError(filter, input);
+      EXPECT_TRUE(Has(error, input->GetClassName()));
+      EXPECT_TRUE(Has(error, "Extract Surface"));
     }
   }
   // The same filter then takes polygons.
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
-  EXPECT_GT(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  Carve(carver, TwoBoxes());
+  EXPECT_GT(CountLevels(carver), 1);
 }
 
 // An input that changes with time is carved for the requested time, and its times pass through.
@@ -159,39 +146,35 @@ TEST(Input, CarriesArraysOfEveryType)
          VTK_UNSIGNED_LONG_LONG, VTK_FLOAT, VTK_DOUBLE, VTK_ID_TYPE, VTK_STRING, VTK_VARIANT })
   {
     types.push_back(type);
-    for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(input->GetPointData()),
-           static_cast<vtkDataSetAttributes*>(input->GetCellData()) })
+    for (const int kind : { vtkDataObject::POINT, vtkDataObject::CELL })
     {
-      const bool ofPoints = data == input->GetPointData();
       vtkSmartPointer<vtkAbstractArray> own;
       own.TakeReference(vtkAbstractArray::CreateArray(type));
       own->SetName(("type " + std::to_string(type)).c_str());
-      const vtkIdType count = ofPoints ? input->GetNumberOfPoints() : input->GetNumberOfCells();
+      const vtkIdType count = input->GetNumberOfElements(kind);
       own->SetNumberOfTuples(count);
       for (vtkIdType i = 0; i < count; ++i)
       {
         own->SetVariantValue(i, vtkVariant(static_cast<int>(i % 2)));
       }
-      data->AddArray(own);
+      input->GetAttributes(kind)->AddArray(own);
     }
   }
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(input);
   carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
-  carver->Update();
+  Carve(carver, input);
   EXPECT_TRUE(messages.Errors.empty());
-  for (unsigned int l = 0; l < carver->GetOutput()->GetNumberOfBlocks(); ++l)
+  for (int l = 0; l < CountLevels(carver); ++l)
   {
-    vtkPolyData* level = GetLevel(carver, static_cast<int>(l));
+    vtkPolyData* level = GetLevel(carver, l);
     for (const int type : types)
     {
       const std::string name = "type " + std::to_string(type);
-      const std::pair<vtkDataSetAttributes*, const char*> both[] = { { level->GetPointData(),
-                                                                       "vtkOriginalPointIds" },
-        { level->GetCellData(), "vtkOriginalCellIds" } };
-      for (const auto& [data, idName] : both)
+      for (const auto& [kind, idName] : { std::pair(vtkDataObject::POINT, "vtkOriginalPointIds"),
+             std::pair(vtkDataObject::CELL, "vtkOriginalCellIds") })
       {
+        vtkDataSetAttributes* data = level->GetAttributes(kind);
         vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
         ASSERT_NE(array, nullptr) << name;
         ASSERT_EQ(array->GetDataType(), type);
@@ -253,7 +236,7 @@ TEST(Input, MayBeOfAnySizeAndPlace)
   {
     auto input = ToPolyData(models::Moved(torus, place, scale));
     const auto carver = Carve(input);
-    ASSERT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 8u) << scale;
+    ASSERT_EQ(CountLevels(carver), 8) << scale;
     EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input)) << scale;
     const auto boxes = QuadBoxes(
       [&, s = scale, p = place](const Point& q) {
@@ -269,8 +252,8 @@ TEST(Input, MustNotOverflow)
   const auto scaled = [](double s) {
     return QuadBoxes([s](const Point& p) { return Point{ s * p[0], s * p[1], s * p[2] }; });
   };
-  EXPECT_NE(ErrorOf(scaled(1e100)).find("Point 1 is (1e+100, 0, 0)"), std::string::npos);
-  EXPECT_NE(ErrorOf(scaled(1e-100)).find("Scale the input"), std::string::npos);
+  EXPECT_TRUE(Has(ErrorOf(scaled(1e100)), "Point 1 is (1e+100, 0, 0)"));
+  EXPECT_TRUE(Has(ErrorOf(scaled(1e-100)), "Scale the input"));
 }
 
 // One triangle has a hull without volume, which is an error that advises a box; with a box it is
@@ -279,12 +262,11 @@ TEST(Input, MayBeOneTriangleInABox)
 {
   auto input = MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } });
   const std::string error = ErrorOf(input);
-  EXPECT_NE(error.find("no volume"), std::string::npos) << error;
-  EXPECT_NE(error.find("vtkContourCarver"), std::string::npos) << error;
+  EXPECT_TRUE(Has(error, "no volume"));
+  EXPECT_TRUE(Has(error, "vtkContourCarver"));
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
   carver->SetInitialApproximation(vtkTopologyCarver::BOUNDING_BOX);
-  carver->Update();
+  Carve(carver, input);
   EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input));
 }
 
@@ -295,7 +277,7 @@ TEST(Input, NamesTheFirstPointThatIsNotFinite)
   input->GetPoints()->SetPoint(15, 0, NaN, 0);
   input->GetPoints()->SetPoint(4, 0, 0, HUGE_VAL);
   input->GetPolys()->ReplaceCellAtId(0, { 8, 10, 15, 9 });
-  EXPECT_NE(ErrorOf(input).find("Point 4 is (0, 0, inf)"), std::string::npos);
+  EXPECT_TRUE(Has(ErrorOf(input), "Point 4 is (0, 0, inf)"));
 }
 
 // A cell with a point that does not exist is an error that names both, in space and in the plane.
@@ -307,11 +289,11 @@ TEST(Input, NamesACellWithAnUnknownPoint)
     input->GetPolys()->InsertNextCell({ 0, 1, unknown });
     vtkNew<vtkTopologyCarver> carver;
     vtkNew<vtkContourCarver> contourCarver;
-    for (vtkCarverAlgorithm* filter : { static_cast<vtkCarverAlgorithm*>(carver.Get()),
-           static_cast<vtkCarverAlgorithm*>(contourCarver.Get()) })
+    for (vtkCarverAlgorithm* filter :
+      std::initializer_list<vtkCarverAlgorithm*>{ carver, contourCarver })
     {
-      EXPECT_NE(ErrorOf(filter, input).find("Cell 12 has the point " + std::to_string(unknown)),
-        std::string::npos);
+      EXPECT_TRUE(
+        Has(CarveWithError(filter, input), "Cell 12 has the point " + std::to_string(unknown)));
     }
   }
 }
@@ -328,6 +310,6 @@ TEST(Input, MayHaveNoTriangle)
   input->SetVerts(verts);
   input->SetLines(lines);
   const auto carver = Carve(input);
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-  EXPECT_NE(GetNotes(carver).find("2 cells were ignored"), std::string::npos);
+  EXPECT_EQ(CountLevels(carver), 0);
+  EXPECT_TRUE(Has(GetNotes(carver), "2 cells were ignored"));
 }

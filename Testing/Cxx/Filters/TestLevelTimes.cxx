@@ -33,8 +33,7 @@ protected:
   int StepAt(double time)
   {
     this->Extract->UpdateTimeStep(time);
-    return static_cast<int>(
-      this->Extract->GetOutput()->GetFieldData()->GetArray("Step")->GetTuple1(0));
+    return static_cast<int>(GetFieldValue(this->Extract->GetOutput(), "Step"));
   }
 
   std::vector<double> GetTimes()
@@ -104,7 +103,7 @@ TEST_F(LevelTimes, LeaveTheTargetAloneIfNobodyAsksForATime)
   this->Extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
   this->Extract->SetLevelTarget(3);
   this->Extract->Update();
-  EXPECT_EQ(this->Extract->GetOutput()->GetFieldData()->GetArray("Step")->GetTuple1(0), 3);
+  EXPECT_EQ(GetFieldValue(this->Extract->GetOutput(), "Step"), 3);
 }
 
 // An input with time steps of its own keeps them.

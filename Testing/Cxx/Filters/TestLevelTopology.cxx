@@ -42,10 +42,7 @@ Numbers GetTopology(vtkPolyData* level)
 
 Numbers GetLastTopology(const carving::TriangleMesh& mesh)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(mesh));
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(ToPolyData(mesh), 1);
   return GetTopology(GetLevel(carver, 0));
 }
 
@@ -60,10 +57,7 @@ carving::TriangleMesh Box(double x, double y, double size = 1.0)
 // first levels have one component.
 TEST(LevelTopology, CountsPiecesTunnelsAndVoids)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->SetNumberOfLevels(2);
-  carver->Update();
+  const auto carver = Carve(TwoBoxes(), 2);
   EXPECT_EQ(GetTopology(GetLevel(carver, 0)), (Numbers{ 1, 0, 0, 1, 0 }));
   EXPECT_EQ(GetTopology(GetLevel(carver, 1)), (Numbers{ 2, 0, 0, 2, 0 }));
   EXPECT_EQ(GetLastTopology(models::Torus(1.0, 0.3, 12, 8)), (Numbers{ 1, 1, 0, 1, 1 }));
@@ -85,27 +79,17 @@ TEST(LevelTopology, TellsTouchingFromJoined)
 // An open surface, or one that has not been cut, has components but no genus.
 TEST(LevelTopology, HasNoGenusWhereOpenOrUncut)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(models::Joined(models::Sheet(3), Box(0, 0.25, 0.5))));
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(ToPolyData(models::Joined(models::Sheet(3), Box(0, 0.25, 0.5))), 1);
   EXPECT_EQ(GetTopology(GetLevel(carver, 0))[4], -1);
-  carver->SetInputData(ToPolyData(models::Joined(Box(0, 0), Box(1, 1))));
   carver->ManifoldOutputOff();
-  carver->Update();
+  Carve(carver, ToPolyData(models::Joined(Box(0, 0), Box(1, 1))));
   EXPECT_EQ(GetTopology(GetLevel(carver, 0)), (Numbers{ 1, 0, 0, 1, -1 }));
 }
 
 // Levels have the numbers of their row of the profile, from the carver and from the stored stream.
 TEST(LevelTopology, AgreesWithTheProfile)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("elephant.off"));
-  carver->Update();
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  vtkNew<vtkExtractCarvedLOD> extract;
-  extract->SetInputDataObject(carver->GetOutputDataObject(1));
-  extract->SetLevelTargetType(vtkExtractCarvedLOD::STEP);
+  const auto carver = Carve(ReadReal("elephant.off"));
   double volume = HUGE_VAL;
   for (int i = 0; i < 8; ++i)
   {
@@ -113,14 +97,12 @@ TEST(LevelTopology, AgreesWithTheProfile)
     const int step = GetLevelStep(carver, i);
     for (int k = 0; k < 3; ++k)
     {
-      EXPECT_EQ(profile->GetValueByName(step, Names[k]).ToInt(), GetTopology(level)[k]);
+      EXPECT_EQ(GetProfileValue(carver, step, Names[k]), GetTopology(level)[k]);
     }
-    extract->SetLevelTarget(step);
-    extract->Update();
-    EXPECT_EQ(GetTopology(extract->GetOutput()), GetTopology(level));
-    EXPECT_LT(profile->GetValueByName(step, "Volume").ToDouble(), volume);
-    volume = profile->GetValueByName(step, "Volume").ToDouble();
+    EXPECT_LT(GetProfileValue(carver, step, "Volume"), volume);
+    volume = GetProfileValue(carver, step, "Volume");
   }
+  ExpectSameLevelsFromStream(carver);
   const int genus = GenusOf(ReadRealMesh("elephant.off"));
   EXPECT_EQ(GetTopology(GetLevel(carver, 7)), (Numbers{ 1, genus, 0, 1, genus }));
 }
@@ -129,12 +111,11 @@ TEST(LevelTopology, AgreesWithTheProfile)
 TEST(LevelTopology, IsUnknownOfAnAppendedInput)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(models::Joined(Box(0, 0), Box(0.5, 0.5))));
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->AppendInputOn();
   carver->SetNumberOfLevels(1);
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 2u);
+  Carve(carver, ToPolyData(models::Joined(Box(0, 0), Box(0.5, 0.5))));
+  EXPECT_EQ(CountLevels(carver), 2);
   EXPECT_EQ(GetTopology(GetLevel(carver, 1)), (Numbers{ -1, -1, -1, -1, -1 }));
 }
 
@@ -150,13 +131,12 @@ TEST(LevelTopology, MeetsTargets)
     carver->SetLevelTargetType(type);
     carver->AddLevelTarget(target);
     carver->Update();
-    auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
     const int step = GetLevelStep(carver, 0);
     for (int i = 0; i <= step; ++i)
     {
-      EXPECT_LE(profile->GetValueByName(i, name).ToInt(), target);
+      EXPECT_LE(GetProfileValue(carver, i, name), target);
     }
-    EXPECT_GT(profile->GetValueByName(step + 1, name).ToInt(), target);
+    EXPECT_GT(GetProfileValue(carver, step + 1, name), target);
   }
 }
 
@@ -164,21 +144,16 @@ TEST(LevelTopology, MeetsTargets)
 // request there is none.
 TEST(LevelTopology, ComputesTheErrorOnRequest)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(
-    ToPolyData(models::Joined(Box(0, 0), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))));
-  carver->SetNumberOfLevels(2);
-  carver->Update();
-  const auto error = [&](int level)
-  { return GetLevel(carver, level)->GetFieldData()->GetArray("Error")->GetTuple1(0); };
+  const auto carver =
+    Carve(ToPolyData(models::Joined(Box(0, 0), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))), 2);
+  const auto error = [&](int level) { return GetFieldValue(GetLevel(carver, level), "Error"); };
   EXPECT_TRUE(std::isnan(error(0)));
   carver->ComputeErrorOn();
   carver->Update();
   EXPECT_GE(error(0), 0.5 * (1.0 - 1e-12));
   EXPECT_LE(error(0), 0.505);
   EXPECT_EQ(error(1), 0.0);
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  EXPECT_EQ(profile->GetValueByName(0, "Error").ToDouble(), error(0));
+  EXPECT_EQ(GetProfileValue(carver, 0, "Error"), error(0));
 }
 
 // In a plane, the error of the hull of two squares is half the width of their gap.
@@ -199,17 +174,15 @@ TEST(LevelTopology, ComputesTheErrorOfContours)
   squares->SetPoints(points);
   squares->SetPolys(polys);
   vtkNew<vtkContourCarver> carver;
-  carver->SetInputData(squares);
   carver->ComputeErrorOn();
-  carver->Update();
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  const vtkIdType last = profile->GetNumberOfRows() - 1;
-  EXPECT_GE(profile->GetValueByName(0, "Error").ToDouble(), 0.5 * (1.0 - 1e-12));
-  EXPECT_LE(profile->GetValueByName(0, "Error").ToDouble(), 0.505);
-  EXPECT_EQ(profile->GetValueByName(last, "Error").ToDouble(), 0.0);
-  EXPECT_EQ(profile->GetValueByName(0, "Volume").ToDouble(), 3.0);
-  EXPECT_EQ(profile->GetValueByName(last, "Volume").ToDouble(), 2.0);
-  EXPECT_EQ(profile->GetValueByName(last, "Components").ToInt(), 2);
+  Carve(carver, squares);
+  const vtkIdType last = GetProfile(carver)->GetNumberOfRows() - 1;
+  EXPECT_GE(GetProfileValue(carver, 0, "Error"), 0.5 * (1.0 - 1e-12));
+  EXPECT_LE(GetProfileValue(carver, 0, "Error"), 0.505);
+  EXPECT_EQ(GetProfileValue(carver, last, "Error"), 0.0);
+  EXPECT_EQ(GetProfileValue(carver, 0, "Volume"), 3.0);
+  EXPECT_EQ(GetProfileValue(carver, last, "Volume"), 2.0);
+  EXPECT_EQ(GetProfileValue(carver, last, "Components"), 2);
 }
 
 // In enclosing mode, the error is the distance from the mesh; a bound that no level meets gives the
@@ -218,25 +191,22 @@ TEST(LevelTopology, WarnsOfAnErrorBoundThatNoLevelMeets)
 {
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(ToPolyData(
-    models::Joined(Box(0, 0), models::Moved(models::Torus(1.0, 0.3, 12, 8), { 0.4, 0.3, 0.5 }))));
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->SetLevelTargetType(vtkTopologyCarver::ERROR_BOUND);
   carver->AddLevelTarget(1e-6);
-  carver->Update();
+  Carve(carver,
+    ToPolyData(
+      models::Joined(Box(0, 0), models::Moved(models::Torus(1.0, 0.3, 12, 8), { 0.4, 0.3, 0.5 }))));
   ASSERT_EQ(messages.Warnings.size(), 1u);
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  const double last = profile->GetValueByName(profile->GetNumberOfRows() - 1, "Error").ToDouble();
+  const double last = GetProfileValue(carver, GetProfile(carver)->GetNumberOfRows() - 1, "Error");
   EXPECT_GT(last, 1e-6);
-  EXPECT_EQ(GetLevelStep(carver, 0), profile->GetNumberOfRows() - 1);
+  EXPECT_EQ(GetLevelStep(carver, 0), GetProfile(carver)->GetNumberOfRows() - 1);
 }
 
 // For a stream without errors, a bound gives the last level and a warning.
 TEST(LevelTopology, WarnsOfAStreamWithoutErrors)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  const auto carver = Carve(TwoBoxes());
   vtkNew<vtkExtractCarvedLOD> extract;
   Messages messages(extract);
   extract->SetInputData(carver->GetOutputDataObject(1));
@@ -244,6 +214,6 @@ TEST(LevelTopology, WarnsOfAStreamWithoutErrors)
   extract->SetLevelTarget(10.0);
   extract->Update();
   ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_NE(messages.Warnings[0].find("ComputeError"), std::string::npos);
+  EXPECT_TRUE(Has(messages.Warnings[0], "ComputeError"));
   EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
 }

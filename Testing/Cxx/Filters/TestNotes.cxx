@@ -15,12 +15,11 @@ TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
   auto input = ToPolyData(models::Sphere(1));
-  carver->SetInputData(input);
-  carver->Update();
-  ASSERT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  Carve(carver, input);
+  ASSERT_EQ(CountLevels(carver), 1);
   EXPECT_EQ(GetTriangles(GetLevel(carver, 0)), GetTriangles(input));
   EXPECT_TRUE(messages.Errors.empty());
-  EXPECT_NE(GetNotes(carver).find("nothing to carve"), std::string::npos);
+  EXPECT_TRUE(Has(GetNotes(carver), "nothing to carve"));
 }
 
 // A note gives the number of crossing pairs: three for three triangles through a common point.
@@ -37,9 +36,7 @@ TEST(CarverNotes, NotesThatItResolvedCrossings)
     mesh.Points[first + 2][v] = -3;
     mesh.Triangles.push_back({ first, first + 1, first + 2 });
   }
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(mesh));
-  carver->Update();
+  const auto carver = Carve(ToPolyData(mesh));
   EXPECT_EQ(GetNotes(carver).find("3 pairs"), 0u) << GetNotes(carver);
 }
 
@@ -48,18 +45,15 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
 {
   auto mesh = models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), { 3, 0, 0 }));
   std::swap(mesh.Triangles[0][0], mesh.Triangles[0][1]);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(mesh));
-  carver->Update();
+  const auto carver = Carve(ToPolyData(mesh));
   // One flipped triangle of eighty changes the winding number by 1/40: too little for a guess.
-  EXPECT_EQ(GetNotes(carver).find("guess"), std::string::npos);
+  EXPECT_FALSE(Has(GetNotes(carver), "guess"));
   for (int i = 1; i < 12; ++i)
   {
     std::swap(mesh.Triangles[i][0], mesh.Triangles[i][1]);
   }
-  carver->SetInputData(ToPolyData(mesh));
-  carver->Update();
-  EXPECT_NE(GetNotes(carver).find("guess"), std::string::npos);
+  Carve(carver, ToPolyData(mesh));
+  EXPECT_TRUE(Has(GetNotes(carver), "guess"));
 }
 
 // If a limit ended an attempt, a note names the limit and says that the result depends on it.
@@ -71,12 +65,10 @@ TEST(CarverNotes, NotesThatTheResultDependsOnALimit)
   const auto mesh =
     models::Joined(models::Soup(100, random), models::Moved(models::Sphere(3), { 10, 0, 0 }));
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(mesh));
   carver->SetTimeLimit(1.0);
   carver->SetEnclosingTolerance(0.0);
-  carver->Update();
+  Carve(carver, ToPolyData(mesh));
   const std::string notes = GetNotes(carver);
-  EXPECT_NE(notes.find("The result depends on a limit: TetGen took longer than 1 s. With a higher"),
-    std::string::npos)
-    << notes;
+  EXPECT_TRUE(
+    Has(notes, "The result depends on a limit: TetGen took longer than 1 s. With a higher"));
 }

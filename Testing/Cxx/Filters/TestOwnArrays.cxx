@@ -44,9 +44,9 @@ std::vector<vtkFieldData*> GetAllFieldData(vtkTopologyCarver* carver)
   {
     all.push_back(carver->GetOutputDataObject(port)->GetFieldData());
   }
-  for (unsigned int i = 0; i < carver->GetOutput()->GetNumberOfBlocks(); ++i)
+  for (int i = 0; i < CountLevels(carver); ++i)
   {
-    all.push_back(GetLevel(carver, static_cast<int>(i))->GetFieldData());
+    all.push_back(GetLevel(carver, i)->GetFieldData());
   }
   return all;
 }
@@ -56,11 +56,10 @@ std::set<std::string> GetOwnNames()
 {
   std::mt19937_64 random(1);
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ToPolyData(models::Soup(60, random)));
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->AppendInputOn();
   carver->ComputeErrorOn();
-  carver->Update();
+  Carve(carver, ToPolyData(models::Soup(60, random)));
   std::set<std::string> names = { "SnapDistance" }; // of a snapped mesh
   for (vtkFieldData* data : GetAllFieldData(carver))
   {
@@ -111,9 +110,7 @@ TEST(OwnArrays, DropFieldDataOfAnOlderCarving)
     AddText(input->GetFieldData(), name, "stale");
   }
   AddText(input->GetFieldData(), "Unit", "mm");
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
+  const auto carver = Carve(input);
   for (vtkFieldData* data : GetAllFieldData(carver))
   {
     for (const std::string& name : own)
@@ -141,9 +138,7 @@ TEST(OwnArrays, DropFieldDataOfLeaves)
     AddText(data, "Notes", "stale");
     AddText(data, "Unit", "mm");
   }
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(scene);
-  carver->Update();
+  const auto carver = Carve(scene);
   for (int port = 0; port < 3; ++port)
   {
     auto* whole = vtkMultiBlockDataSet::SafeDownCast(carver->GetOutputDataObject(port));
@@ -163,9 +158,7 @@ TEST(OwnArrays, OldProfilesDoNotSpoilTheStream)
 {
   auto input = TwoBoxes();
   AddNumbers<vtkDoubleArray>(input->GetFieldData(), "ProfileError", 1234, 0.0);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
+  const auto carver = Carve(input);
   vtkNew<vtkExtractCarvedLOD> extract;
   Messages messages(extract);
   extract->SetInputData(carver->GetOutputDataObject(1));
@@ -192,10 +185,7 @@ TEST(OwnArrays, KeepTheInputsUnderAnotherName)
     AddNumbers<vtkIntArray>(input->GetPointData(), name, points, first += 1000.0);
   }
   input->GetCellData()->SetActiveScalars("Depth");
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(2);
-  carver->Update();
+  const auto carver = Carve(input, 2);
   const std::string note = GetNotes(carver);
   const auto renamed = [&](const std::string& name) -> std::string
   {
@@ -246,13 +236,9 @@ TEST(OwnArrays, LeaveOutArraysOfAWrongLength)
   AddNumbers<vtkIntArray>(input->GetCellData(), "Short", input->GetNumberOfCells() - 1, 0.0);
   AddNumbers<vtkIntArray>(input->GetCellData(), "Right", input->GetNumberOfCells(), 0.0);
   AddNumbers<vtkDoubleArray>(input->GetPointData(), "Long", input->GetNumberOfPoints() + 1, 0.0);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
+  const auto carver = Carve(input);
   const std::string notes = GetNotes(carver);
-  EXPECT_NE(
-    notes.find("\"Short\" (23 for 24 cells), \"Long\" (17 for 16 points)"), std::string::npos)
-    << notes;
+  EXPECT_TRUE(Has(notes, "\"Short\" (23 for 24 cells), \"Long\" (17 for 16 points)"));
   vtkPolyData* level = GetLevel(carver, 1);
   EXPECT_FALSE(level->GetCellData()->HasArray("Short"));
   EXPECT_TRUE(level->GetCellData()->HasArray("Right"));
@@ -263,12 +249,10 @@ TEST(OwnArrays, LeaveOutArraysOfAWrongLength)
 TEST(OwnArrays, KeepTheArraysOfALevelThatIsCarvedAgain)
 {
   vtkNew<vtkTopologyCarver> first, second;
-  first->SetInputData(TwoBoxes());
   first->SetNumberOfLevels(2);
-  first->Update();
-  second->SetInputData(GetLevel(first, 0));
+  Carve(first, TwoBoxes());
   second->SetNumberOfLevels(1);
-  second->Update();
+  Carve(second, GetLevel(first, 0));
   vtkCellData* data = GetLevel(second, 0)->GetCellData();
   for (const char* name : { "Priority", "Depth", "vtkOriginalCellIds", "InputPriority",
          "InputDepth", "InputvtkOriginalCellIds" })

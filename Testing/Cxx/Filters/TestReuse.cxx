@@ -80,9 +80,7 @@ TEST(Reuse, TellsBlocksApartThatShareTheirPoints)
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, boxes[0]);
   scene->SetBlock(1, boxes[1]);
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(scene);
-  carver->Update();
+  const auto carver = Carve(scene);
   for (unsigned int block = 0; block < 2; ++block)
   {
     auto* levels = vtkMultiBlockDataSet::SafeDownCast(carver->GetOutput()->GetBlock(block));
@@ -98,8 +96,7 @@ TEST(Reuse, TellsInputsApartThatShareTheirPoints)
   vtkNew<vtkTopologyCarver> carver;
   for (int i = 0; i < 2; ++i)
   {
-    carver->SetInputData(boxes[i]);
-    carver->Update();
+    Carve(carver, boxes[i]);
     EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[0], 2.0 * i);
   }
 }
@@ -197,8 +194,7 @@ TEST(Reuse, KeepsContours)
   vtkNew<vtkContourCarver> carver;
   Messages messages(carver);
   const auto square = ToPolyData(models::Sheet(2));
-  carver->SetInputData(square);
-  carver->Update();
+  Carve(carver, square);
   const OtherHelper missing("/there/is/no/such/helper");
   carver->SetConformity(vtkContourCarver::EXACT);
   carver->SetEnclosingTolerance(0.1);

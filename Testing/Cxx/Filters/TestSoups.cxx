@@ -206,12 +206,11 @@ TEST(Soups, AreEnclosedWithAnySettings)
     vtkNew<vtkTopologyCarver> carver;
     DrawSettings(random, carver);
     Messages messages(carver);
-    carver->SetInputData(ToPolyData(soup));
-    carver->Update();
+    Carve(carver, ToPolyData(soup));
     if (!messages.Errors.empty())
     {
       EXPECT_TRUE(MayFail(messages.Errors[0], carver->GetConformity())) << messages.Errors[0];
-      EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+      EXPECT_EQ(CountLevels(carver), 0);
       continue;
     }
     ++carved;
@@ -221,16 +220,16 @@ TEST(Soups, AreEnclosedWithAnySettings)
     extract->SetManifoldOutput(carver->GetManifoldOutput());
     const Probes probes = GetProbes(soup);
     double volume = HUGE_VAL;
-    ASSERT_GT(carver->GetOutput()->GetNumberOfBlocks(), 0u);
-    for (unsigned int l = 0; l < carver->GetOutput()->GetNumberOfBlocks(); ++l)
+    ASSERT_GT(CountLevels(carver), 0);
+    for (int l = 0; l < CountLevels(carver); ++l)
     {
-      vtkPolyData* level = GetLevel(carver, static_cast<int>(l));
+      vtkPolyData* level = GetLevel(carver, l);
       if (GetKind(level) == "input")
       {
         continue;
       }
       CheckLevel(level, probes, volume);
-      extract->SetLevelTarget(GetLevelStep(carver, static_cast<int>(l)));
+      extract->SetLevelTarget(GetLevelStep(carver, l));
       extract->Update();
       ExpectEqualData(extract->GetOutput(), level);
     }

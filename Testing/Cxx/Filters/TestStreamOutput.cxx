@@ -68,10 +68,8 @@ vtkIdType CountTriangles(vtkUnstructuredGrid* stream, int level)
 TEST(StreamOutput, WritesTheStream)
 {
   auto input = ReadReal("elephant.off");
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
-  auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+  const auto carver = Carve(input);
+  vtkUnstructuredGrid* stream = GetStream(carver);
   ASSERT_NE(stream, nullptr);
   vtkDataArray* steps = stream->GetCellData()->GetArray("Step");
   vtkDataArray* priorities = stream->GetCellData()->GetArray("Priority");
@@ -116,20 +114,15 @@ TEST(StreamOutput, WritesTheStream)
 // The profile has a row per step with the counts of the level.
 TEST(StreamOutput, WritesTheProfile)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("elephant.off"));
-  carver->Update();
-  auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
-  ASSERT_NE(profile, nullptr);
+  const auto carver = Carve(ReadReal("elephant.off"));
+  ASSERT_TRUE(GetProfile(carver));
   for (int i = 0; i < 8; ++i)
   {
     const int step = GetLevelStep(carver, i);
-    EXPECT_EQ(profile->GetValueByName(step, "Step").ToInt(), step);
-    EXPECT_EQ(
-      profile->GetValueByName(step, "Vertices").ToInt(), GetLevel(carver, i)->GetNumberOfPoints());
-    EXPECT_EQ(
-      profile->GetValueByName(step, "Triangles").ToInt(), GetLevel(carver, i)->GetNumberOfPolys());
+    EXPECT_EQ(GetProfileValue(carver, step, "Step"), step);
+    EXPECT_EQ(GetProfileValue(carver, step, "Vertices"), GetLevel(carver, i)->GetNumberOfPoints());
+    EXPECT_EQ(GetProfileValue(carver, step, "Triangles"), GetLevel(carver, i)->GetNumberOfPolys());
   }
-  EXPECT_EQ(profile->GetNumberOfRows(), GetLevelStep(carver, 7) + 1);
-  EXPECT_TRUE(std::isnan(profile->GetValueByName(0, "Priority").ToDouble()));
+  EXPECT_EQ(GetProfile(carver)->GetNumberOfRows(), GetLevelStep(carver, 7) + 1);
+  EXPECT_TRUE(std::isnan(GetProfileValue(carver, 0, "Priority")));
 }

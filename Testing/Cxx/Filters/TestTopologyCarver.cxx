@@ -45,10 +45,8 @@ void AddNumbersAndNames(vtkDataSetAttributes* data, vtkIdType count)
 TEST(TopologyCarver, GoesFromTheHullToTheInput)
 {
   auto input = TwoBoxes();
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->Update();
-  const int levels = static_cast<int>(carver->GetOutput()->GetNumberOfBlocks());
+  const auto carver = Carve(input);
+  const int levels = CountLevels(carver);
   ASSERT_GE(levels, 2);
   EXPECT_EQ(GetLevelStep(carver, 0), 0);
   // The ends of the hull are sides of the boxes. Each of the four other sides has two triangles for
@@ -62,31 +60,24 @@ TEST(TopologyCarver, OrientsLevelsOutward)
 {
   auto input = ToPolyData(models::Flipped(
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))));
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(input);
-  carver->SetNumberOfLevels(1);
-  carver->Update();
+  const auto carver = Carve(input, 1);
   EXPECT_EQ(GetTriangles(GetLevel(carver, 0)), GetTriangles(TwoBoxes()));
 }
 
 // Levels are named and ordered from coarse to fine, and their points are doubles.
 TEST(TopologyCarver, NamesAndOrdersLevels)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetInputData(ReadReal("elephant.off"));
-  carver->SetNumberOfLevels(5);
-  carver->Update();
-  vtkMultiBlockDataSet* levels = carver->GetOutput();
-  ASSERT_EQ(levels->GetNumberOfBlocks(), 5u);
-  for (unsigned int i = 0; i < 5; ++i)
+  const auto carver = Carve(ReadReal("elephant.off"), 5);
+  ASSERT_EQ(CountLevels(carver), 5);
+  vtkIdType points = 0;
+  for (int i = 0; i < 5; ++i)
   {
-    EXPECT_EQ(levels->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), "LOD " + std::to_string(i));
-    EXPECT_EQ(GetLevel(carver, static_cast<int>(i))->GetPoints()->GetDataType(), VTK_DOUBLE);
-    if (i > 0)
-    {
-      EXPECT_GT(GetLevel(carver, static_cast<int>(i))->GetNumberOfPoints(),
-        GetLevel(carver, static_cast<int>(i) - 1)->GetNumberOfPoints());
-    }
+    vtkInformation* info = carver->GetOutput()->GetMetaData(static_cast<unsigned int>(i));
+    EXPECT_EQ(info->Get(vtkCompositeDataSet::NAME()), "LOD " + std::to_string(i));
+    vtkPolyData* level = GetLevel(carver, i);
+    EXPECT_EQ(level->GetPoints()->GetDataType(), VTK_DOUBLE);
+    EXPECT_GT(level->GetNumberOfPoints(), points);
+    points = level->GetNumberOfPoints();
   }
 }
 
@@ -95,28 +86,21 @@ TEST(TopologyCarver, MeetsLevelTargets)
 {
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(ReadReal("elephant.off"));
-  for (const int type : { vtkTopologyCarver::VERTICES, vtkTopologyCarver::TRIANGLES })
+  for (const auto& [type, name] : { std::pair(vtkTopologyCarver::VERTICES, "Vertices"),
+         std::pair(vtkTopologyCarver::TRIANGLES, "Triangles") })
   {
     carver->SetLevelTargetType(type);
     carver->ClearLevelTargets();
     carver->AddLevelTarget(2000);
     carver->AddLevelTarget(1000);
     carver->Update();
-    ASSERT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 2u);
-    auto* profile = vtkTable::SafeDownCast(carver->GetOutputDataObject(2));
+    ASSERT_EQ(CountLevels(carver), 2);
     for (int i = 0; i < 2; ++i)
     {
       const double target = 1000 * (i + 1);
-      vtkPolyData* level = GetLevel(carver, i);
-      EXPECT_LE(type == vtkTopologyCarver::VERTICES ? level->GetNumberOfPoints()
-                                                    : level->GetNumberOfPolys(),
-        target);
+      EXPECT_LE(GetFieldValue(GetLevel(carver, i), name), target);
       // The next step would be too large.
-      EXPECT_GT(profile
-                  ->GetValueByName(GetLevelStep(carver, i) + 1,
-                    type == vtkTopologyCarver::VERTICES ? "Vertices" : "Triangles")
-                  .ToDouble(),
-        target);
+      EXPECT_GT(GetProfileValue(carver, GetLevelStep(carver, i) + 1, name), target);
     }
   }
 }
@@ -126,11 +110,10 @@ TEST(TopologyCarver, WarnsOfATargetBelowTheHull)
 {
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(ReadReal("elephant.off"));
   carver->AddLevelTarget(10);
-  carver->Update();
+  Carve(carver, ReadReal("elephant.off"));
   ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_NE(messages.Warnings[0].find("10 vertices"), std::string::npos);
+  EXPECT_TRUE(Has(messages.Warnings[0], "10 vertices"));
   EXPECT_EQ(GetLevelStep(carver, 0), 0);
 }
 
@@ -139,17 +122,16 @@ TEST(TopologyCarver, KeepsTheTetrahedraBetweenUpdates)
 {
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(TwoBoxes());
-  carver->Update();
+  Carve(carver, TwoBoxes());
   const OtherHelper missing("/there/is/no/such/helper");
   carver->SetNumberOfLevels(2);
   carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 2u);
+  EXPECT_EQ(CountLevels(carver), 2);
   carver->SetCarveExposed(false);
   carver->Update();
   carver->AddLevelTarget(16);
   carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 1u);
+  EXPECT_EQ(CountLevels(carver), 1);
   EXPECT_TRUE(messages.Errors.empty());
   EXPECT_EQ(carver->GetStageSeconds(0), 0.0);
 }
@@ -160,8 +142,7 @@ TEST(TopologyCarver, TetrahedralizesAChangedInput)
   auto input = TwoBoxes();
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
-  carver->SetInputData(input);
-  carver->Update();
+  Carve(carver, input);
   input->GetPoints()->SetPoint(0, -1, 0, 0);
   input->GetPoints()->Modified();
   carver->Update();
@@ -179,7 +160,7 @@ TEST(TopologyCarver, SavesTrianglesWithExposedTetrahedra)
   {
     carver->SetCarveExposed(exposed);
     carver->Update();
-    EXPECT_EQ(GetLevel(carver, 0)->GetFieldData()->GetArray("Vertices")->GetTuple1(0), 1000);
+    EXPECT_EQ(GetFieldValue(GetLevel(carver, 0), "Vertices"), 1000);
     triangles[exposed] = GetLevel(carver, 0)->GetNumberOfPolys();
   }
   EXPECT_LT(triangles[true], triangles[false]);
@@ -191,9 +172,8 @@ TEST(TopologyCarver, GivesNothingForNothing)
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
   vtkNew<vtkPolyData> nothing;
-  carver->SetInputData(nothing);
-  carver->Update();
-  EXPECT_EQ(carver->GetOutput()->GetNumberOfBlocks(), 0u);
+  Carve(carver, nothing);
+  EXPECT_EQ(CountLevels(carver), 0);
   EXPECT_TRUE(messages.Errors.empty());
 }
 
@@ -242,7 +222,7 @@ TEST(TopologyCarver, PrintsItsLevelTargets)
   carver->AddLevelTarget(45);
   std::ostringstream text;
   carver->Print(text);
-  EXPECT_NE(text.str().find("LevelTargets: 123 45\n"), std::string::npos);
+  EXPECT_TRUE(Has(text.str(), "LevelTargets: 123 45\n"));
 }
 
 // Progress passes through all stages, never falls, and ends at 1.

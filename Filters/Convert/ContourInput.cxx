@@ -30,17 +30,6 @@ std::vector<int> UsedPoints(const ContourSet& contours)
   return used;
 }
 
-/** The vector from the first point to another for which a measure of the vector is greatest. */
-template <class Measure>
-Point FarthestFromFirst(const std::vector<Point>& points, const Measure& measure)
-{
-  const Point& first = points.front();
-  return *std::max_element(points.begin(), points.end(),
-           [&](const Point& a, const Point& b)
-           { return measure(a - first) < measure(b - first); }) -
-    first;
-}
-
 /** The unit normal of the plane through three points far from each other. */
 Point FindNormal(const std::vector<Point>& points)
 {
@@ -57,8 +46,7 @@ Point FindNormal(const std::vector<Point>& points)
     axis[along.rend() - least - 1] = 1.0;
     normal = Length(along) > 0.0 ? Cross(along, Cross(axis, along)) : axis;
   }
-  const double length = Length(normal);
-  return { normal[0] / length, normal[1] / length, normal[2] / length };
+  return normal / Length(normal);
 }
 
 std::size_t CountSkipped(vtkPolyData* input)

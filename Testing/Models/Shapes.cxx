@@ -81,8 +81,7 @@ TriangleMesh Sphere(int subdivisions)
         middles.try_emplace(std::minmax(a, b), static_cast<int>(mesh.Points.size()));
       if (isNew)
       {
-        const Point p = mesh.Points[a], q = mesh.Points[b];
-        mesh.Points.push_back({ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 });
+        mesh.Points.push_back((mesh.Points[a] + mesh.Points[b]) / 2.0);
       }
       return found->second;
     };
@@ -90,11 +89,7 @@ TriangleMesh Sphere(int subdivisions)
     for (const auto& [a, b, c] : mesh.Triangles)
     {
       const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      for (const Triangle& t :
-        { Triangle{ a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } })
-      {
-        finer.push_back(t);
-      }
+      finer.insert(finer.end(), { { a, ab, ca }, { b, bc, ab }, { c, ca, bc }, { ab, bc, ca } });
     }
     mesh.Triangles = finer;
   }
@@ -139,10 +134,7 @@ TriangleMesh Moved(TriangleMesh mesh, const Point& translation, double scale)
 {
   for (Point& p : mesh.Points)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      p[i] = scale * p[i] + translation[i];
-    }
+    p = scale * p + translation;
   }
   return mesh;
 }

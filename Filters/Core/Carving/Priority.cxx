@@ -39,12 +39,7 @@ double Circumradius(const CellCorners<3>& p)
   const Point a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
   const double aa = Dot(a, a), bb = Dot(b, b), cc = Dot(c, c);
   const Point bc = Cross(b, c), ca = Cross(c, a), ab = Cross(a, b);
-  Point toCenter;
-  for (int i = 0; i < 3; ++i)
-  {
-    toCenter[i] = aa * bc[i] + bb * ca[i] + cc * ab[i];
-  }
-  return Length(toCenter) / (2.0 * std::abs(Dot(a, bc)));
+  return Length(aa * bc + bb * ca + cc * ab) / (2.0 * std::abs(Dot(a, bc)));
 }
 
 double Circumradius(const CellCorners<2>& p)

@@ -44,11 +44,8 @@ public:
   }
   void Add(const std::vector<Point>& points, const std::array<int, 2>& edge)
   {
-    const Point moment = Cross(points[edge[0]] - this->Origin, points[edge[1]] - this->Origin);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Moments[i] += moment[i];
-    }
+    this->Moments =
+      this->Moments + Cross(points[edge[0]] - this->Origin, points[edge[1]] - this->Origin);
   }
 
   double Get() const

@@ -20,8 +20,7 @@ double DistanceToSegment(const Point& a, const Point& b, const Point& p)
 {
   const Point along = b - a, toPoint = p - a;
   const double t = std::clamp(Dot(toPoint, along) / Dot(along, along), 0.0, 1.0);
-  return Length(
-    { toPoint[0] - t * along[0], toPoint[1] - t * along[1], toPoint[2] - t * along[2] });
+  return Length(toPoint - t * along);
 }
 
 } // namespace
@@ -55,7 +54,7 @@ FacetTree<D>::FacetTree(const ResolvedInput<D>& mesh)
     Point lower, upper;
     const FacetCorners<D> corners = CornersOf<D>(mesh.Points, facet);
     GetBounds({ corners.begin(), corners.end() }, lower, upper);
-    centers.push_back({ lower[0] + upper[0], lower[1] + upper[1], lower[2] + upper[2] });
+    centers.push_back(lower + upper);
   }
   this->Build(centers, 0, static_cast<int>(this->Facets.size()));
 }

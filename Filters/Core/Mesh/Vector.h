@@ -20,6 +20,21 @@ inline Point operator-(const Point& a, const Point& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
+inline Point operator+(const Point& a, const Point& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+
+inline Point operator*(double s, const Point& a)
+{
+  return { s * a[0], s * a[1], s * a[2] };
+}
+
+inline Point operator/(const Point& a, double s)
+{
+  return { a[0] / s, a[1] / s, a[2] / s };
+}
+
 inline double Dot(const Point& a, const Point& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -38,7 +53,7 @@ inline double Length(const Point& a)
 /** The point a share t of the way from a to b. */
 inline Point Between(const Point& a, const Point& b, double t)
 {
-  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+  return a + t * (b - a);
 }
 
 /** The corners of the bounding box of at least one point. */
@@ -53,6 +68,17 @@ inline void GetBounds(const std::vector<Point>& points, Point& lower, Point& upp
       upper[i] = std::max(upper[i], p[i]);
     }
   }
+}
+
+/** The vector from the first point to another for which a measure of the vector is greatest. */
+template <class Measure>
+Point FarthestFromFirst(const std::vector<Point>& points, const Measure& measure)
+{
+  const Point& first = points.front();
+  return *std::max_element(points.begin(), points.end(),
+           [&](const Point& a, const Point& b)
+           { return measure(a - first) < measure(b - first); }) -
+    first;
 }
 
 /** The length of the diagonal of the points' bounding box; 0 without points. */

@@ -27,12 +27,7 @@ Point AreaVector(const ResolvedMesh& mesh, int t)
 {
   const Triangle& corner = mesh.Facets[t];
   const Point& a = mesh.Points[corner[0]];
-  Point area = Cross(mesh.Points[corner[1]] - a, mesh.Points[corner[2]] - a);
-  for (double& x : area)
-  {
-    x *= 0.5;
-  }
-  return area;
+  return 0.5 * Cross(mesh.Points[corner[1]] - a, mesh.Points[corner[2]] - a);
 }
 
 } // namespace
@@ -45,15 +40,9 @@ WindingTree::WindingTree(const ResolvedMesh& mesh)
   {
     if (mesh.SignedMultiplicities[t] != 0)
     {
-      Point sum = {};
-      for (const int corner : mesh.Facets[t])
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          sum[i] += mesh.Points[corner][i] / 3.0;
-        }
-      }
-      items.push_back({ sum, static_cast<int>(t) });
+      const auto& [a, b, c] = mesh.Facets[t];
+      items.push_back({ mesh.Points[a] / 3.0 + mesh.Points[b] / 3.0 + mesh.Points[c] / 3.0,
+        static_cast<int>(t) });
     }
   }
   if (!items.empty())
@@ -102,15 +91,9 @@ WindingTree::Node WindingTree::Summarize(const std::vector<Item>& items, int fir
   {
     const double area = Length(AreaVector(this->Mesh, items[i].Triangle));
     total += area;
-    for (int k = 0; k < 3; ++k)
-    {
-      node.Center[k] += area * items[i].Centroid[k];
-    }
+    node.Center = node.Center + area * items[i].Centroid;
   }
-  for (double& x : node.Center)
-  {
-    x /= total;
-  }
+  node.Center = node.Center / total;
   for (int i = first; i < last; ++i)
   {
     const int t = items[i].Triangle;
@@ -133,11 +116,7 @@ WindingTree::Node WindingTree::Summarize(const std::vector<Item>& items, int fir
 double WindingTree::Approximate(const Point& point, double opening) const
 {
   double angles = 0.0;
-  std::vector<int> stack;
-  if (!this->Nodes.empty())
-  {
-    stack.push_back(0);
-  }
+  std::vector<int> stack(this->Nodes.empty() ? 0 : 1, 0);
   while (!stack.empty())
   {
     const int index = stack.back();

@@ -163,12 +163,9 @@ Point Refiner::DrawPoint(const std::vector<Point>& polygon)
   {
     const double weight = 1.0 + 0.5 * this->Draw();
     total += weight;
-    for (int i = 0; i < 3; ++i)
-    {
-      sum[i] += weight * p[i];
-    }
+    sum = sum + weight * p;
   }
-  return { sum[0] / total, sum[1] / total, sum[2] / total };
+  return sum / total;
 }
 
 bool Refiner::Improve(const Cell& cell)

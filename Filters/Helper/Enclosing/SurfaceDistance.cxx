@@ -27,17 +27,12 @@ Kernel::Point_3 ToKernel(const Point& p)
 
 Point Middle(const Point& a, const Point& b)
 {
-  return { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 };
+  return (a + b) / 2.0;
 }
 
 Point Centroid(const Corners& t)
 {
-  Point sum = {};
-  for (int i = 0; i < 3; ++i)
-  {
-    sum[i] = (t[0][i] + t[1][i] + t[2][i]) / 3.0;
-  }
-  return sum;
+  return (t[0] + t[1] + t[2]) / 3.0;
 }
 
 constexpr double Accuracy = 0.05;

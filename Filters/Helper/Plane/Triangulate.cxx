@@ -29,9 +29,10 @@ public:
   explicit Height(const std::vector<Point>& points)
     : Origin(points.front())
   {
-    const Point along = this->FarthestBy(points, [](const Point& d) { return Dot(d, d); });
+    const Point along =
+      FarthestFromFirst(points, [](const Point& d) { return Dot(Flat(d), Flat(d)); });
     const Point across =
-      this->FarthestBy(points, [&](const Point& d) { return std::abs(Cross(along, d)[2]); });
+      FarthestFromFirst(points, [&](const Point& d) { return std::abs(Cross(along, d)[2]); });
     const double area = Cross(along, across)[2];
     const double squared = along[0] * along[0] + along[1] * along[1];
     if (area != 0.0)
@@ -52,16 +53,6 @@ public:
   }
 
 private:
-  /** The vector from the origin to the point for which a measure of that vector is the largest. */
-  template <class Measure>
-  Point FarthestBy(const std::vector<Point>& points, const Measure& measure) const
-  {
-    return *std::max_element(points.begin(), points.end(),
-             [&](const Point& a, const Point& b)
-             { return measure(Flat(a - this->Origin)) < measure(Flat(b - this->Origin)); }) -
-      this->Origin;
-  }
-
   Point Origin;
   std::array<double, 2> Slope = { 0.0, 0.0 };
 };

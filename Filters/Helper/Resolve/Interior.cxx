@@ -85,12 +85,7 @@ Point PointInFront(const ResolvedMesh& mesh, int facet)
   const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
   const Point normal = Cross(q - p, r - p);
   const double step = Near * Width(mesh, facet) / Length(normal);
-  Point result;
-  for (int i = 0; i < 3; ++i)
-  {
-    result[i] = (p[i] + q[i] + r[i]) / 3.0 + step * normal[i];
-  }
-  return result;
+  return (p + q + r) / 3.0 + step * normal;
 }
 
 /** The facets that are connected to `seed` by neighbors, `seed` first. */

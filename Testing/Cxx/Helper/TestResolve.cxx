@@ -207,11 +207,7 @@ TEST(Resolve, CountsTrianglesThatCoverEachOther)
     for (std::size_t k = 0; k < mesh.Facets.size(); ++k)
     {
       const auto& [a, b, c] = mesh.Facets[k];
-      Point middle = {};
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        middle[axis] = (mesh.Points[a][axis] + mesh.Points[b][axis] + mesh.Points[c][axis]) / 3.0;
-      }
+      const Point middle = (mesh.Points[a] + mesh.Points[b] + mesh.Points[c]) / 3.0;
       int count = 0, sum = 0;
       for (const Triangle& t : given.Triangles)
       {

@@ -59,12 +59,7 @@ std::set<int> SplitAtRandom(Subdivision& parts, int times, std::mt19937_64& rand
     const Triangle corners = parts.GetParts()[part].Corners;
     const bool onEdge = random() % 3 == 0;
     const double u = draw(), v = onEdge ? 0.0 : (1.0 - u) * draw();
-    Point p;
-    for (int k = 0; k < 3; ++k)
-    {
-      p[k] = t[0][k] + u * (t[1][k] - t[0][k]) + v * (t[2][k] - t[0][k]);
-    }
-    const int vertex = parts.AddPoint(p);
+    const int vertex = parts.AddPoint(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
     const Subdivision::Change change =
       onEdge ? parts.SplitEdge(corners[0], corners[1], vertex) : parts.SplitPart(part, vertex);
     for (const int gone : change.Gone)

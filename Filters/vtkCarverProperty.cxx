@@ -58,9 +58,8 @@ std::vector<vtkCarverProperty> MakeProperties()
       "The memory that one attempt at a tetrahedralization may take, in MiB. 0: no limit." },
     { NAMED(SolidRule), { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" }, 0, 0, Stored,
       "The solid part of the space that the mesh encloses: where the winding number is at least "
-      "one half in "
-      "magnitude, where an odd number of surfaces lies between a point and the outside, or "
-      "nowhere." },
+      "one half in magnitude, where an odd number of surfaces lies between a point and the "
+      "outside, or nowhere." },
     { NAMED(PriorityMeasure), { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" }, 0, 0,
       NotStored,
       "The tetrahedra that are carved first: those with the longest edge, the largest volume, the "

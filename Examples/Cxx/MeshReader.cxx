@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <vector>
@@ -65,41 +66,23 @@ std::string ReadOffAsPolyData(const std::string& fileName, vtkPolyData* mesh)
 std::string ReadFormat(
   const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
 {
-  const std::size_t errorsBefore = log->Errors.size();
   if (extension == ".off")
   {
     return ReadOffAsPolyData(fileName, mesh);
   }
-  if (extension == ".obj")
-  {
-    ReadWith<vtkOBJReader>(fileName, mesh);
-  }
-  else if (extension == ".ply")
-  {
-    ReadWith<vtkPLYReader>(fileName, mesh);
-  }
-  else if (extension == ".stl")
-  {
-    ReadWith<vtkSTLReader>(fileName, mesh);
-  }
-  else if (extension == ".vtp")
-  {
-    ReadWith<vtkXMLPolyDataReader>(fileName, mesh);
-  }
-  else if (extension == ".vtk")
-  {
-    ReadWith<vtkPolyDataReader>(fileName, mesh);
-  }
-  else
+  using Read = void (*)(const std::string& fileName, vtkPolyData* mesh);
+  const std::map<std::string, Read> formats = { { ".obj", &ReadWith<vtkOBJReader> },
+    { ".ply", &ReadWith<vtkPLYReader> }, { ".stl", &ReadWith<vtkSTLReader> },
+    { ".vtp", &ReadWith<vtkXMLPolyDataReader> }, { ".vtk", &ReadWith<vtkPolyDataReader> } };
+  const auto format = formats.find(extension);
+  if (format == formats.end())
   {
     return "the format " + (extension.empty() ? "without an ending" : extension) +
       " is not known; known are .obj, .ply, .stl, .off, .vtp and .vtk, each also with .gz";
   }
-  if (log->Errors.size() > errorsBefore)
-  {
-    return log->Errors[errorsBefore];
-  }
-  return {};
+  const std::size_t errorsBefore = log->Errors.size();
+  format->second(fileName, mesh);
+  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
 }
 
 /** Replaces all characters beyond ASCII, since names can have any encoding, but XML needs UTF-8. */

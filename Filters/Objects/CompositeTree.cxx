@@ -2,10 +2,10 @@
 #include "Objects/CompositeTree.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPartitionedDataSet.h"
-#include "vtkPartitionedDataSetCollection.h"
 
 namespace
 {
@@ -21,35 +21,18 @@ std::string GetName(vtkInformation* metaData)
 bool GetChildren(vtkDataObject* composite, std::vector<CompositeChild>& children)
 {
   children.clear();
-  // GetMetaData alone would add metadata to the input.
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(composite))
+  auto* tree = vtkDataObjectTree::SafeDownCast(composite);
+  if (!tree)
   {
-    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
-    {
-      children.push_back({ blocks->GetBlock(i),
-        GetName(blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr) });
-    }
-    return true;
+    return false;
   }
-  if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(composite))
+  for (const auto& child : vtk::Range(tree, vtk::DataObjectTreeOptions::None))
   {
-    for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
-    {
-      children.push_back({ pieces->GetPartitionAsDataObject(i),
-        GetName(pieces->HasMetaData(i) ? pieces->GetMetaData(i) : nullptr) });
-    }
-    return true;
+    // GetMetaData alone would add metadata to the input.
+    children.push_back(
+      { child.GetDataObject(), GetName(child.HasMetaData() ? child.GetMetaData() : nullptr) });
   }
-  if (auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(composite))
-  {
-    for (unsigned int i = 0; i < sets->GetNumberOfPartitionedDataSets(); ++i)
-    {
-      children.push_back({ sets->GetPartitionedDataSet(i),
-        GetName(sets->HasMetaData(i) ? sets->GetMetaData(i) : nullptr) });
-    }
-    return true;
-  }
-  return false;
+  return true;
 }
 
 void SetBlockName(vtkMultiBlockDataSet* parent, unsigned int block, const std::string& name)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Objects/ObjectExchange.h"
 
-#include "Convert/StreamOutput.h"
+#include "Convert/ArrayNames.h"
 #include "Objects/CompositeTree.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTypes.h"
 #include "vtkDoubleArray.h"

@@ -44,7 +44,10 @@ bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carver
     carved.LeftByBudget = carving::CountLeft(regions, options, stream);
   }
   carved.Stream = carving::Store(mesh, regions, stream);
-  Kind<D>::Restore(leaf.Input, carved.Stream.Mesh.Surface.Points);
+  if constexpr (D == 2)
+  {
+    leaf.Input.Restore(carved.Stream.Mesh.Surface.Points);
+  }
   carved.Stream.Measure = options.Measure;
   carved.Stream.Folds = settings.Folds;
   carved.Profile = carving::ComputeProfile(carved.Stream);

@@ -12,7 +12,6 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 /**
  * - Input: the input as the core needs it.
@@ -20,7 +19,6 @@
  *   an error.
  * - GetResult: the decomposition in a reply of the helper program.
  * - Fill: moves the input into a job for the helper program.
- * - Restore: restores the coordinates that the input has.
  */
 template <int D>
 struct Kind;
@@ -43,9 +41,6 @@ struct Kind<3>
     job.Mesh = std::move(input.Mesh);
     job.InitialMesh = std::move(initial.Mesh);
   }
-  static void Restore(const Input&, std::vector<carving::Point>&)
-  {
-  }
 };
 
 template <>
@@ -65,10 +60,6 @@ struct Kind<2>
     job.Kind = carving::JobKind::Triangulate;
     job.Contours = std::move(input.Contours);
     job.InitialContours = std::move(initial.Contours);
-  }
-  static void Restore(const Input& input, std::vector<carving::Point>& points)
-  {
-    input.Restore(points);
   }
 };
 

@@ -9,7 +9,6 @@
 #include "Session/CarvedLeaf.h"
 #include "Session/CarverPorts.h"
 
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;

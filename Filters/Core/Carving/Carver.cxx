@@ -138,18 +138,19 @@ private:
   /** Cells that stay have neither a priority nor a depth. */
   void Write()
   {
-    this->Out.Step.clear();
-    this->Out.Priority.clear();
-    this->Out.Depth.clear();
-    this->Out.Step.reserve(this->Cells.size());
-    this->Out.Priority.reserve(this->Cells.size());
-    this->Out.Depth.reserve(this->Cells.size());
-    for (const State<D>& state : this->Cells)
+    const std::size_t count = this->Cells.size();
+    this->Out.Step.resize(count);
+    this->Out.Priority.assign(count, NaN);
+    this->Out.Depth.assign(count, 0.0);
+    for (std::size_t cell = 0; cell < count; ++cell)
     {
-      const bool carved = state.Step != Stream::Never;
-      this->Out.Step.push_back(state.Step);
-      this->Out.Priority.push_back(carved ? state.Priority : NaN);
-      this->Out.Depth.push_back(carved ? state.Depth : 0.0);
+      const State<D>& state = this->Cells[cell];
+      this->Out.Step[cell] = state.Step;
+      if (state.Step != Stream::Never)
+      {
+        this->Out.Priority[cell] = state.Priority;
+        this->Out.Depth[cell] = state.Depth;
+      }
     }
   }
 

@@ -11,7 +11,6 @@
 #include <limits>
 #include <queue>
 #include <utility>
-#include <vector>
 
 namespace carving
 {
@@ -26,9 +25,7 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
   result.RegionOfCell.assign(numberOfCells, -1);
   if (!mesh.Kept.empty())
   {
-    Region kept;
-    kept.Kind = RegionKind::Kept;
-    result.Regions.push_back(kept);
+    result.Regions.emplace_back().Kind = RegionKind::Kept;
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
       result.RegionOfCell[cell] = mesh.Kept[cell] ? 0 : -1;
@@ -68,9 +65,7 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
         }
       }
     }
-    Region found;
-    found.Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
-    result.Regions.push_back(found);
+    result.Regions.emplace_back().Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
   }
 }
 

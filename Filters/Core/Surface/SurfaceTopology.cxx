@@ -5,7 +5,6 @@
 #include "Core/Mesh/DisjointSets.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace carving
 {

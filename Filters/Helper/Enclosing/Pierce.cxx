@@ -3,7 +3,6 @@
 
 #include <CGAL/Filtered_predicate.h>
 
-#include <algorithm>
 #include <tuple>
 
 namespace carving::helper

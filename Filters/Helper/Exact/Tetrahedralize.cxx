@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <new>
 #include <unordered_map>
-#include <vector>
 
 namespace carving::helper
 {

@@ -118,12 +118,14 @@ public:
   vtkBooleanMacro(ManifoldOutput, bool);
   ///@}
 
+  /** See vtkAlgorithm. A carver in ParaView asks for the type of its level in this way. */
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
+
 protected:
   vtkExtractCarvedLOD();
   ~vtkExtractCarvedLOD() override;
 
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(

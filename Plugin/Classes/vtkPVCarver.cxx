@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVCarver.h"
 
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObjectAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPVExtractCarvedLOD.h"
@@ -15,16 +13,6 @@ namespace
 
 constexpr int NumberOfCarverPorts = 3;
 constexpr int StreamPort = 1; // of the carver's own ports
-
-/**
- * Gives access to a static function that VTK reserves for subclasses. Its last argument must be
- * true: else VTK 9.1 takes a multiblock for an unstructured grid.
- */
-class OutputType : public vtkDataObjectAlgorithm
-{
-public:
-  using vtkDataObjectAlgorithm::SetOutputDataObject;
-};
 
 /** The carver's own ports. */
 vtkSmartPointer<vtkInformationVector> GetCarverPorts(vtkInformationVector* out)
@@ -87,9 +75,8 @@ int vtkPVCarver::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkPVCarver::RequestDataObject(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
-  const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
-  OutputType::SetOutputDataObject(
-    composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0), true);
+  // The levels of port 0 have the structure of the input, as those of the stream do.
+  this->Extractor->ProcessRequest(request, in, out);
   return this->Superclass::RequestDataObject(request, in, GetCarverPorts(out));
 }
 

@@ -61,31 +61,15 @@ double* vtkPVExtractCarvedLOD::GetStepRange()
 int vtkPVExtractCarvedLOD::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
+  const double targets[] = { static_cast<double>(this->VertexTarget),
+    static_cast<double>(this->TriangleTarget), this->FeatureSizeTarget,
+    static_cast<double>(this->TunnelsTarget), static_cast<double>(this->ComponentTarget),
+    this->ErrorBoundTarget, static_cast<double>(this->StepTarget) };
+  static_assert(VERTICES == 0 && TRIANGLES == 1 && FEATURE_SIZE == 2 && TUNNELS == 3 &&
+      COMPONENTS == 4 && ERROR_BOUND == 5 && STEP == 6,
+    "the order of the targets");
   // The setter would mark the filter as changed while it executes.
-  switch (this->LevelTargetType)
-  {
-    case TRIANGLES:
-      this->LevelTarget = this->TriangleTarget;
-      break;
-    case FEATURE_SIZE:
-      this->LevelTarget = this->FeatureSizeTarget;
-      break;
-    case TUNNELS:
-      this->LevelTarget = this->TunnelsTarget;
-      break;
-    case COMPONENTS:
-      this->LevelTarget = this->ComponentTarget;
-      break;
-    case ERROR_BOUND:
-      this->LevelTarget = this->ErrorBoundTarget;
-      break;
-    case STEP:
-      this->LevelTarget = this->StepTarget;
-      break;
-    default:
-      this->LevelTarget = this->VertexTarget;
-      break;
-  }
+  this->LevelTarget = targets[this->LevelTargetType];
   return this->Superclass::RequestData(request, in, out);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkPVExtractCarvedLOD
- * @brief vtkExtractCarvedLOD with a target for each type of target, for a panel with a slider for each
+ * @brief vtkExtractCarvedLOD with a target for each type, for a panel with a slider for each
  *
  * The target of the current LevelTargetType becomes the LevelTarget.
  */

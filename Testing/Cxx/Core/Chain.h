@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The chain of approximations as local updates (section 3.3, equation (1)), to compare with extracted levels.
+ * The chain of approximations as local updates (section 3.3, equation (1)), to compare with
+ * extracted levels.
  */
 #ifndef Chain_h
 #define Chain_h
@@ -24,8 +25,8 @@ struct ChainUpdate
 };
 
 /**
- * Moves along the chain C_0, C_1, ..., C_n. Each move takes time proportional to the change; setting up is
- * linear in the size of the stream.
+ * Moves along the chain C_0, C_1, ..., C_n. Each move takes time proportional to the change;
+ * setting up is linear in the size of the stream.
  */
 template <int D>
 class Chain
@@ -103,7 +104,9 @@ private:
     return lives;
   }
 
-  /** Indices by the step at which the entry is born or dies; those without such a step are left out. */
+  /**
+   * Indices by the step at which the entry is born or dies; those without such a step are left out.
+   */
   template <class Entry>
   carving::Buckets<int> SortBy(const std::vector<Entry>& entries, int Entry::*time) const
   {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Homology.h"
-#include "Core/Mesh/BettiNumbers.h"
 
 #include <algorithm>
 #include <iterator>
@@ -90,8 +89,9 @@ int OnlyCoface(const Complex& complex, int d, int face)
 }
 
 /**
- * Removes a simplex together with a face that is a face of no other one, again and again: what is left
- * is a deformation retract. Such a simplex is a face of none itself, for of that the face would be in two.
+ * Removes a simplex together with a face that is a face of no other one, again and again: what is
+ * left is a deformation retract. Such a simplex is a face of none itself, for of that the face
+ * would be in two.
  */
 void Collapse(Complex& complex)
 {
@@ -121,8 +121,8 @@ void Collapse(Complex& complex)
 }
 
 /**
- * The rank of the matrix whose columns are the boundaries of what is left in dimension d: columns with
- * the same lowest entry are added until there are none.
+ * The rank of the matrix whose columns are the boundaries of what is left in dimension d: columns
+ * with the same lowest entry are added until there are none.
  */
 int Rank(const Complex& complex, int d)
 {

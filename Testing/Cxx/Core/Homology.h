@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Betti numbers by linear algebra over Z/2, from simplices alone: by other means than those of the code
- * under test, which counts merges of sets and Euler characteristics.
+ * Betti numbers by linear algebra over Z/2, from simplices alone: by other means than those of the
+ * code under test, which counts merges of sets and Euler characteristics.
  */
 #ifndef Homology_h
 #define Homology_h
@@ -23,13 +23,16 @@ using Simplex = std::vector<int>;
 using BettiNumbers = std::array<int, 4>;
 
 /**
- * Of the complex of all faces of some simplices of at most four corners, by the ranks of its boundary
- * matrices. With `collapse` simplices that are in the way of none are removed from it in pairs first
- * (elementary collapses), without which large complexes take too long.
+ * Of the complex of all faces of some simplices of at most four corners, by the ranks of its
+ * boundary matrices. With `collapse` simplices that are in the way of none are removed from it in
+ * pairs first (elementary collapses), without which large complexes take too long.
  */
 BettiNumbers ComputeBettiNumbers(const std::vector<Simplex>& simplices, bool collapse = true);
 
-/** K_step: the facets of M, and the cells that are not carved away until `step`, those of the solid too. */
+/**
+ * K_step: the facets of M, and the cells that are not carved away until `step`, those of the solid
+ * too.
+ */
 template <int D>
 std::vector<Simplex> ClosedComplex(
   const carving::Decomposition<D>& mesh, const carving::Stream& stream, int step)

@@ -3,6 +3,8 @@
 
 #include "Core/Mesh/Vector.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -105,8 +107,7 @@ Tetrahedralization NestedTetrahedra(const std::vector<Triangle>& triangles)
   std::vector<Point> points = { { 0, 0, 0 }, { 8, 0, 0 }, { 0, 8, 0 }, { 0, 0, 8 } };
   for (int i = 0; i < 4; ++i)
   {
-    const Point& p = points[i];
-    points.push_back({ 1.5 + p[0] / 4, 1.5 + p[1] / 4, 1.5 + p[2] / 4 });
+    points.push_back(Point{ 1.5, 1.5, 1.5 } + points[i] / 4.0);
   }
   std::vector<std::array<int, 4>> cells;
   for (Triangle face : OuterFaces())
@@ -158,18 +159,37 @@ Tetrahedralization EvenRow(int n, const std::vector<Triangle>& triangles)
   return Assemble(points, cells, triangles);
 }
 
-Stream CarveOneByOne(const Tetrahedralization& mesh)
+Tetrahedralization HollowTetrahedron()
+{
+  return NestedTetrahedra(Joined(OuterFaces(), Flipped(InnerFaces())));
+}
+
+Stream Carved(const Tetrahedralization& mesh, const CarveOptions& options, SolidRule rule)
 {
   Stream stream;
-  CarveOptions options;
-  options.CarveExposed = false;
-  Carve(mesh, Classify(mesh), options, stream);
+  EXPECT_TRUE(Carve(mesh, Classify(mesh, rule), options, stream));
   return stream;
 }
 
-carving::StoredStream<3> StoreOneByOne(const Tetrahedralization& mesh)
+CarveOptions OneByOne()
 {
-  return Store(mesh, Classify(mesh), CarveOneByOne(mesh));
+  CarveOptions options;
+  options.CarveExposed = false;
+  return options;
+}
+
+StoredStream<3> StoreOneByOne(const Tetrahedralization& mesh)
+{
+  return Store(mesh, Classify(mesh), Carved(mesh, OneByOne()));
+}
+
+ResolvedMesh Resolved(const TriangleMesh& mesh)
+{
+  ResolvedMesh result;
+  result.Points = mesh.Points;
+  result.Facets = mesh.Triangles;
+  result.SignedMultiplicities.assign(mesh.Triangles.size(), 1);
+  return result;
 }
 
 std::vector<Triangle> Triangles(const Level<3>& level)

@@ -38,19 +38,28 @@ std::vector<carving::Triangle> Joined(
 carving::Tetrahedralization Row(int n);
 
 /**
- * A row of `n` congruent tetrahedra, each of which shares a face with the next; cell i has the points i
- * to i + 3, and its centroid is exactly 1 away from that of the next. M is `triangles`.
+ * A row of `n` congruent tetrahedra, each of which shares a face with the next; cell i has the
+ * points i to i + 3, and its centroid is exactly 1 away from that of the next. M is `triangles`.
  */
 carving::Tetrahedralization EvenRow(int n, const std::vector<carving::Triangle>& triangles = {});
 
-/** A stream with one tetrahedron a step. */
-carving::Stream CarveOneByOne(const carving::Tetrahedralization& mesh);
+/** Both faces, the inner ones facing inward: a solid around a hollow. */
+carving::Tetrahedralization HollowTetrahedron();
 
-/** It, stored; nothing but its tetrahedra's numbers changes where M has no solid. */
+carving::Stream Carved(const carving::Tetrahedralization& mesh,
+  const carving::CarveOptions& options = {},
+  carving::SolidRule rule = carving::SolidRule::NonzeroWinding);
+/** Options for one tetrahedron a step. */
+carving::CarveOptions OneByOne();
+
+/** A stream with one tetrahedron a step, stored. Only numbers of cells change if M has no solid. */
 carving::StoredStream<3> StoreOneByOne(const carving::Tetrahedralization& mesh);
 
 /** The faces' corners. */
 std::vector<carving::Triangle> Triangles(const carving::Level<3>& level);
+
+/** A mesh that needs no resolving. */
+carving::ResolvedMesh Resolved(const carving::TriangleMesh& mesh);
 
 } // namespace small
 

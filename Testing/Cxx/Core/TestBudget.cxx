@@ -20,8 +20,7 @@ namespace
 /** Carves one cell a step, in the order of the indices as far as possible. */
 CarveOptions InOrder(const Tetrahedralization& mesh, const BettiNumbers& budget)
 {
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   options.DepthExponent = 1.0;
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
@@ -33,9 +32,7 @@ CarveOptions InOrder(const Tetrahedralization& mesh, const BettiNumbers& budget)
 
 Stream CarveWith(const Tetrahedralization& mesh, const CarveOptions& options)
 {
-  Stream stream;
-  EXPECT_TRUE(Carve(mesh, Classify(mesh, SolidRule::SurfaceOnly), options, stream));
-  return stream;
+  return small::Carved(mesh, options, SolidRule::SurfaceOnly);
 }
 
 /**
@@ -56,13 +53,6 @@ Tetrahedralization RowBetweenFaces(int n)
 {
   const Tetrahedralization row = small::Row(n);
   return small::Assemble(row.Surface.Points, row.Cells, { { 0, 1, 2 }, { n, n + 1, n + 2 } });
-}
-
-/** A hollow: M is both walls. */
-Tetrahedralization Hollow()
-{
-  return small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
 }
 
 homology::BettiNumbers LastBettiNumbers(const Tetrahedralization& mesh, const Stream& stream)
@@ -150,16 +140,14 @@ TEST(Budget, TakesNoComponentForOne)
 // A void is opened only if the budget has room for it.
 TEST(Budget, OpensNoVoidBeyondIt)
 {
-  const Tetrahedralization mesh = Hollow();
-  Stream stream;
+  const Tetrahedralization mesh = small::HollowTetrahedron();
   CarveOptions options;
   options.Budget = { -1, -1, 0 };
-  ASSERT_TRUE(Carve(mesh, Classify(mesh), options, stream));
+  const Stream stream = small::Carved(mesh, options);
   EXPECT_EQ(stream.Step[12], Stream::Never);
   EXPECT_EQ(stream.LastStep(), 0);
   options.Budget = { -1, -1, 1 };
-  ASSERT_TRUE(Carve(mesh, Classify(mesh), options, stream));
-  EXPECT_EQ(stream.Step[12], 1);
+  EXPECT_EQ(small::Carved(mesh, options).Step[12], 1);
 }
 
 // Cells that are deferred to the end have neither a step nor a priority nor a depth, like all cells

@@ -11,24 +11,11 @@
 
 using namespace carving;
 
-namespace
-{
-
-Stream CarveAll(const Tetrahedralization& mesh, bool exposed)
-{
-  Stream stream;
-  CarveOptions options;
-  options.CarveExposed = exposed;
-  EXPECT_TRUE(Carve(mesh, Classify(mesh), options, stream));
-  return stream;
-}
-
-} // namespace
-
-// Without the exposed cascade each step carves one tetrahedron, the one with the longest edge first.
+// Without the exposed cascade each step carves one tetrahedron, the one with the longest edge
+// first.
 TEST(Carver, CarvesTheLongestEdgeFirst)
 {
-  const Stream stream = CarveAll(small::Row(6), false);
+  const Stream stream = small::Carved(small::Row(6), small::OneByOne());
   EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 2, 3, 4, 5, 6 }));
   EXPECT_EQ(stream.LastStep(), 6);
   EXPECT_TRUE(std::isnan(stream.StepPriority[0]));
@@ -39,9 +26,8 @@ TEST(Carver, CarvesTheLongestEdgeFirst)
 // The priority of a tetrahedron is the length of its longest edge.
 TEST(Carver, TakesTheLengthOfTheLongestEdgeForPriority)
 {
-  const Stream stream = CarveAll(
-    small::Assemble({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, {}),
-    true);
+  const Stream stream = small::Carved(small::Assemble(
+    { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, {}));
   EXPECT_EQ(stream.Priority[0], 5.0);
   EXPECT_EQ(stream.StepPriority[1], 5.0);
 }
@@ -52,16 +38,16 @@ TEST(Carver, BreaksTiesByIndex)
   // Two regular tetrahedra of the same size, apart from each other.
   const std::vector<Point> points = { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 1 }, { 0, 1, 1 },
     { 4, 0, 0 }, { 5, 1, 0 }, { 5, 0, 1 }, { 4, 1, 1 } };
-  EXPECT_EQ(CarveAll(small::Assemble(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {}), true).Step,
+  EXPECT_EQ(small::Carved(small::Assemble(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {})).Step,
     (std::vector<int>{ 1, 2 }));
-  EXPECT_EQ(CarveAll(small::Assemble(points, { { 4, 5, 6, 7 }, { 0, 1, 2, 3 } }, {}), true).Step,
+  EXPECT_EQ(small::Carved(small::Assemble(points, { { 4, 5, 6, 7 }, { 0, 1, 2, 3 } }, {})).Step,
     (std::vector<int>{ 1, 2 }));
 }
 
 // Exposed tetrahedra go along in the step that exposed them, and those that they expose in turn.
 TEST(Carver, TakesExposedTetrahedraAlong)
 {
-  const Stream stream = CarveAll(small::Row(6), true);
+  const Stream stream = small::Carved(small::Row(6));
   EXPECT_EQ(stream.LastStep(), 1);
   EXPECT_EQ(stream.Step, std::vector<int>(6, 1));
 }
@@ -70,7 +56,7 @@ TEST(Carver, TakesExposedTetrahedraAlong)
 TEST(Carver, CountsDepthFromTheHull)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Stream stream = CarveAll(mesh, false);
+  const Stream stream = small::Carved(mesh, small::OneByOne());
   for (int cell = 0; cell < 12; ++cell)
   {
     // Of each prism's three cells the first has a face on the hull, and the others lie behind it.
@@ -90,7 +76,7 @@ TEST(Carver, CountsDepthFromTheHull)
 // The solid stays: it has no step, no priority and no depth.
 TEST(Carver, LeavesTheSolid)
 {
-  const Stream stream = CarveAll(small::NestedTetrahedra(small::InnerFaces()), true);
+  const Stream stream = small::Carved(small::NestedTetrahedra(small::InnerFaces()));
   EXPECT_EQ(stream.Step[12], Stream::Never);
   EXPECT_TRUE(std::isnan(stream.Priority[12]));
   EXPECT_EQ(stream.Depth[12], 0);
@@ -100,9 +86,7 @@ TEST(Carver, LeavesTheSolid)
 // Carving does not pass through the triangles of M.
 TEST(Carver, StopsAtConstrainingFaces)
 {
-  const Tetrahedralization mesh = small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
-  const Stream stream = CarveAll(mesh, true);
+  const Stream stream = small::Carved(small::HollowTetrahedron());
   for (int cell = 0; cell < 12; ++cell)
   {
     EXPECT_EQ(stream.Step[cell], Stream::Never);
@@ -112,9 +96,7 @@ TEST(Carver, StopsAtConstrainingFaces)
 // A void, which no path joins to the outside, is opened all the same; its depth begins at 1.
 TEST(Carver, OpensVoids)
 {
-  const Tetrahedralization mesh = small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
-  const Stream stream = CarveAll(mesh, true);
+  const Stream stream = small::Carved(small::HollowTetrahedron());
   EXPECT_EQ(stream.Step[12], 1);
   EXPECT_EQ(stream.Depth[12], 1);
 }
@@ -122,15 +104,14 @@ TEST(Carver, OpensVoids)
 // Where there is no complement there is no step.
 TEST(Carver, HasNothingToDoForASolidThatFillsItsHull)
 {
-  EXPECT_EQ(CarveAll(small::NestedTetrahedra(small::OuterFaces()), true).LastStep(), 0);
+  EXPECT_EQ(small::Carved(small::NestedTetrahedra(small::OuterFaces())).LastStep(), 0);
 }
 
 // Carving stops when the caller wants it to, at the start or on the way.
 TEST(Carver, StopsOnRequest)
 {
   const Tetrahedralization mesh = small::EvenRow(20000);
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   for (const int wanted : { 1, 3 })
   {
     int reports = 0;
@@ -147,8 +128,7 @@ TEST(Carver, ReportsProgress)
   const Tetrahedralization mesh = small::EvenRow(20000);
   std::vector<double> reports;
   Stream stream;
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   Carve(mesh, Classify(mesh), options, stream,
     [&](double fraction)
     {
@@ -170,11 +150,9 @@ TEST(Carver, CarvesByVolume)
     { 20, 0, 0 }, { 23, 0, 0 }, { 20, 3, 0 }, { 20, 0, 3 } };
   const Tetrahedralization mesh = small::Assemble(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } }, {});
   CarveOptions options;
-  Stream stream;
-  Carve(mesh, Classify(mesh), options, stream);
-  EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(small::Carved(mesh, options).Step, (std::vector<int>{ 1, 2 }));
   options.Measure = PriorityMeasure::Volume;
-  Carve(mesh, Classify(mesh), options, stream);
+  const Stream stream = small::Carved(mesh, options);
   EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
   EXPECT_NEAR(stream.StepPriority[1], 27.0 / 6.0, 1e-12);
 }
@@ -183,14 +161,12 @@ TEST(Carver, CarvesByVolume)
 TEST(Carver, DividesPriorityByAPowerOfDepth)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   const std::vector<double> priorities = ComputePriorities(mesh, PriorityMeasure::LongestEdge);
   for (const auto& [exponent, share] : { std::pair(0.0, 1.0), { 1.0, 0.5 }, { 2.0, 0.25 } })
   {
     options.DepthExponent = exponent;
-    Stream stream;
-    Carve(mesh, Classify(mesh), options, stream);
+    const Stream stream = small::Carved(mesh, options);
     EXPECT_EQ(std::count(stream.Depth.begin(), stream.Depth.end(), 1.0), 4);
     EXPECT_GT(std::count(stream.Depth.begin(), stream.Depth.end(), 2.0), 0);
     for (int cell = 0; cell < 12; ++cell)
@@ -208,18 +184,16 @@ TEST(Carver, DividesPriorityByAPowerOfDepth)
 TEST(Carver, TakesGivenDepths)
 {
   const Tetrahedralization mesh = small::Row(3);
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   options.DepthExponent = 1.0;
   options.Depths = { 100.0, 10.0, 1.0 };
-  Stream stream;
-  Carve(mesh, Classify(mesh), options, stream);
+  const Stream stream = small::Carved(mesh, options);
   EXPECT_EQ(stream.Step, (std::vector<int>{ 3, 2, 1 }));
   EXPECT_EQ(stream.Depth, options.Depths);
 }
 
-// Priorities are finite numbers whatever equation (2) is given: a volume that rounds to 0 by an infinite
-// power of a tiny depth, or a power beyond what a double holds.
+// Priorities are finite numbers whatever equation (2) is given: a volume that rounds to 0 by an
+// infinite power of a tiny depth, or a power beyond what a double holds.
 TEST(Carver, KeepsPrioritiesFinite)
 {
   // The first has a volume of 0, the second one that is none.
@@ -230,29 +204,27 @@ TEST(Carver, KeepsPrioritiesFinite)
   options.Measure = PriorityMeasure::Volume;
   options.Depths = { 1e-10, 1e-10 };
   options.DepthExponent = 1e300;
-  Stream stream;
-  Carve(mesh, Classify(mesh), options, stream);
+  const Stream stream = small::Carved(mesh, options);
   EXPECT_EQ(stream.Priority[0], 0.0);
   EXPECT_TRUE(std::isfinite(stream.Priority[1]));
   EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 1 }));
 }
 
-// A step takes along what lies within the breadth radius on either side, and nothing that lies farther.
+// A step takes along what lies within the breadth radius on either side, and nothing that lies
+// farther.
 TEST(Carver, CarvesWithinTheBreadthRadius)
 {
   const Tetrahedralization mesh = small::EvenRow(12); // centroids are 1 apart
-  CarveOptions options;
-  options.CarveExposed = false;
+  CarveOptions options = small::OneByOne();
   options.DepthExponent = 1.0;
   options.Depths.assign(12, 2.0);
   options.Depths[5] = 1.0; // the first, then by index
-  Stream stream;
   options.BreadthRadius = 2.0;
-  Carve(mesh, Classify(mesh), options, stream);
-  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 2, 2, 1, 1, 1, 1, 1, 3, 3, 3, 4 }));
+  EXPECT_EQ(
+    small::Carved(mesh, options).Step, (std::vector<int>{ 2, 2, 2, 1, 1, 1, 1, 1, 3, 3, 3, 4 }));
   options.BreadthRadius = 1.99;
-  Carve(mesh, Classify(mesh), options, stream);
-  EXPECT_EQ(stream.Step, (std::vector<int>{ 2, 2, 3, 3, 1, 1, 1, 4, 4, 5, 5, 6 }));
+  EXPECT_EQ(
+    small::Carved(mesh, options).Step, (std::vector<int>{ 2, 2, 3, 3, 1, 1, 1, 4, 4, 5, 5, 6 }));
 }
 
 // A radius larger than the mesh carves in one step all that can be reached, but not through M.
@@ -265,8 +237,7 @@ TEST(Carver, DoesNotWalkThroughConstrainingFaces)
   for (const bool exposed : { false, true })
   {
     options.CarveExposed = exposed;
-    Stream stream;
-    Carve(mesh, Classify(mesh), options, stream);
+    const Stream stream = small::Carved(mesh, options);
     EXPECT_EQ(stream.Step, (std::vector<int>{ 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2 }));
   }
 }
@@ -274,12 +245,10 @@ TEST(Carver, DoesNotWalkThroughConstrainingFaces)
 // Voids can be left closed.
 TEST(Carver, LeavesVoidsIfWanted)
 {
-  const Tetrahedralization mesh = small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
+  const Tetrahedralization mesh = small::HollowTetrahedron();
   CarveOptions options;
   options.CarveVoids = false;
-  Stream stream;
-  Carve(mesh, Classify(mesh), options, stream);
+  const Stream stream = small::Carved(mesh, options);
   EXPECT_EQ(stream.LastStep(), 0);
   EXPECT_EQ(stream.Step[12], Stream::Never);
 }

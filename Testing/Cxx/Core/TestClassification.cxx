@@ -30,8 +30,7 @@ TEST(Classification, TellsSolidFromOutside)
 // A hollow solid, its inner shell facing inward, encloses a void.
 TEST(Classification, FindsAVoidInAHollowSolid)
 {
-  const Classification result = Classify(small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));
+  const Classification result = Classify(small::HollowTetrahedron());
   EXPECT_EQ(result.Kind(0), RegionKind::Solid);
   EXPECT_EQ(result.Kind(12), RegionKind::Void);
   EXPECT_EQ(result.Regions[result.RegionOfCell[12]].Winding, 0.0);
@@ -51,8 +50,8 @@ TEST(Classification, TakesNonzeroWindingForSolid)
   }
 }
 
-// A triangle that two glued solids share faces both ways: its signed sum is 0, and crossing it changes
-// nothing.
+// A triangle that two glued solids share faces both ways: its signed sum is 0, and crossing it
+// changes nothing.
 TEST(Classification, CrossesGluedFacesWithoutChange)
 {
   Tetrahedralization mesh =

@@ -3,7 +3,6 @@
  * @file
  * Betti numbers, of complexes of which they are known.
  */
-#include "Core/Mesh/BettiNumbers.h"
 #include "Homology.h"
 #include "Shapes.h"
 
@@ -44,7 +43,8 @@ TEST(Homology, OfSimplices)
   ExpectBettiNumbers({}, { 0, 0, 0, 0 });
 }
 
-// A ring has a tunnel, a sphere a void, a torus a void and two tunnels: one through it, one within it.
+// A ring has a tunnel, a sphere a void, a torus a void and two tunnels: one through it, one within
+// it.
 TEST(Homology, OfSurfaces)
 {
   ExpectBettiNumbers({ { 0, 1 }, { 1, 2 }, { 2, 0 } }, { 1, 1, 0, 0 });

@@ -65,7 +65,7 @@ TEST(Level, LastIsTheInputOrientedOutward)
 TEST(Level, LosesTheVolumeOfWhatIsCarved)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
-  const Stream stream = small::CarveOneByOne(mesh);
+  const Stream stream = small::Carved(mesh, small::OneByOne());
   const StoredStream<3> stored = small::StoreOneByOne(mesh);
   double expected = 8.0 * 8.0 * 8.0; // six times the volume of the outer tetrahedron
   for (int step = 0; step <= stream.LastStep(); ++step)
@@ -113,8 +113,7 @@ TEST(Level, HidesWhatLiesWithinTheSolid)
 // The wall of an opened void faces into the void.
 TEST(Level, OrientsTheWallOfAVoidIntoIt)
 {
-  const Tetrahedralization mesh = small::NestedTetrahedra(
-    small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces())));
+  const Tetrahedralization mesh = small::HollowTetrahedron();
   const StoredStream<3> stream = small::StoreOneByOne(mesh);
   EXPECT_EQ(Canonical(small::Triangles(ExtractLevel(stream, stream.Order.LastStep()))),
     Canonical(small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));

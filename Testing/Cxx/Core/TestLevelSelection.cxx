@@ -57,8 +57,8 @@ TEST(SpreadLevels, KeepsTheEnds)
   EXPECT_EQ(SpreadLevels(OneVertexPerStep(10, 20), 2), (std::vector<int>{ 0, 10 }));
 }
 
-// However many levels of however many steps are wanted, each step is looked at a few times only: the steps
-// of a long stream come at once, all of them or nearly all.
+// However many levels of however many steps are wanted, each step is looked at a few times only:
+// the steps of a long stream come at once, all of them or nearly all.
 TEST(SpreadLevels, SpreadsMillionsOfLevels)
 {
   const Profile distinct = OneVertexPerStep(10, 1'000'000);
@@ -152,8 +152,9 @@ TEST(SelectStep, PicksByTunnelsAndComponents)
   EXPECT_EQ(GetTargetRange(profile, LevelTarget::Components), (std::array<double, 2>{ 1, 5 }));
 }
 
-// Steps may come closer to the mesh and go farther away again: after the one picked by a bound none is
-// farther than that. What no step meets, or what has not been computed, gives the last and says so.
+// Steps may come closer to the mesh and go farther away again: after the one picked by a bound none
+// is farther than that. What no step meets, or what has not been computed, gives the last and says
+// so.
 TEST(SelectStep, PicksByErrorBound)
 {
   Profile profile = WithVertices({ 4, 5, 6, 7, 8 });

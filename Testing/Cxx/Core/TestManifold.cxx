@@ -86,6 +86,18 @@ StoredStream<3> Solids(const std::vector<Point>& points,
   return Carvable(points, between, facets);
 }
 
+/** Sheets between three tetrahedra around an edge from point 0 to 1. */
+StoredStream<3> Sheets(const std::vector<Triangle>& facets)
+{
+  return Carvable({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } }, facets);
+}
+
+Level<3> LastLevel(const StoredStream<3>& stream)
+{
+  return ExtractLevel(stream, stream.Order.LastStep());
+}
+
 } // namespace
 
 // Two solids that touch in a vertex get one copy of it each.
@@ -107,7 +119,7 @@ TEST(Manifold, CutsAtASingleEdge)
   const StoredStream<3> stream =
     Solids({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
       { { 0, 1, 2, 3 }, { 0, 1, 4, 5 } }, { { 0, 1, 3, 4 }, { 0, 1, 5, 2 } });
-  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 8u);
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
   const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
@@ -125,8 +137,8 @@ TEST(Manifold, CutsAtASingleEdge)
   EXPECT_EQ(vertices[true].size(), 4u);
 }
 
-// Ten thousand solids around an edge, all that they have in common, are cut apart without trying all pairs of
-// them, which would take hours.
+// Ten thousand solids around an edge, all that they have in common, are cut apart without trying
+// all pairs of them, which would take hours.
 TEST(Manifold, CutsManyWedgesAroundAnEdgeApart)
 {
   constexpr int count = 10000;
@@ -147,8 +159,8 @@ TEST(Manifold, CutsManyWedgesAroundAnEdgeApart)
   EXPECT_TRUE(IsClosedManifold(cut));
 }
 
-// Two solids that touch along two edges in a row stay joined, as a ball: the vertex between the edges has a
-// copy on either side of them.
+// Two solids that touch along two edges in a row stay joined, as a ball: the vertex between the
+// edges has a copy on either side of them.
 TEST(Manifold, StaysJoinedAlongSeveralEdges)
 {
   const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 1, 0, 1 },
@@ -156,7 +168,7 @@ TEST(Manifold, StaysJoinedAlongSeveralEdges)
   const StoredStream<3> stream =
     Solids(points, { { 0, 1, 3, 4 }, { 1, 2, 3, 4 }, { 0, 1, 5, 6 }, { 1, 2, 5, 6 } },
       { { 0, 1, 4, 5 }, { 1, 2, 4, 5 }, { 0, 1, 6, 3 }, { 1, 2, 6, 3 } });
-  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 12u);
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
   const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
@@ -167,8 +179,8 @@ TEST(Manifold, StaysJoinedAlongSeveralEdges)
   EXPECT_EQ(topology.Genus, 0);
 }
 
-// A lid that touches the rim of a hole in edges only stays there: what closes a tunnel of the closed set closes
-// it on the surface too.
+// A lid that touches the rim of a hole in edges only stays there: what closes a tunnel of the
+// closed set closes it on the surface too.
 TEST(Manifold, KeepsALidThatIsHeldByEdges)
 {
   // A ring of prisms whose inner edges are those of a triangle; the lid is a double pyramid on it.
@@ -198,7 +210,7 @@ TEST(Manifold, KeepsALidThatIsHeldByEdges)
   between.push_back({ 0, 5, 6, 7 });
   between.push_back({ 1, 8, 9, 10 });
   const StoredStream<3> stream = Solids(points, solids, between);
-  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  const Level<3> level = LastLevel(stream);
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
   const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
   EXPECT_TRUE(IsClosedManifold(cut));
@@ -209,11 +221,8 @@ TEST(Manifold, KeepsALidThatIsHeldByEdges)
 // Of three sheets at an edge none is joined with another; each stays whole.
 TEST(Manifold, CutsThreeSheetsApart)
 {
-  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 },
-    { -1, -1, 0 } };
-  const StoredStream<3> stream = Carvable(points,
-    { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } }, { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
-  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  const StoredStream<3> stream = Sheets({ { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
+  const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 3u);
   EXPECT_EQ(CutIntoManifold(stream, level).Points.size(), 9u);
 }
@@ -221,12 +230,9 @@ TEST(Manifold, CutsThreeSheetsApart)
 // With both of their sides, three sheets at an edge become one closed surface around them.
 TEST(Manifold, ClosesThreeSheetsWithBothSides)
 {
-  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 },
-    { -1, -1, 0 } };
-  StoredStream<3> stream = Carvable(points, { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } },
-    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
+  StoredStream<3> stream = Sheets({ { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } });
   stream.Folds = FoldSides::Both;
-  const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+  const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 6u);
   EXPECT_TRUE(IsClosedManifold(CutIntoManifold(stream, level)));
 }
@@ -234,14 +240,11 @@ TEST(Manifold, ClosesThreeSheetsWithBothSides)
 // A sheet of two triangles that are oriented alike stays joined, one that is not is cut.
 TEST(Manifold, JoinsFoldsThatAreOrientedAlike)
 {
-  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 },
-    { -1, -1, 0 } };
-  const std::vector<std::array<int, 4>> cells = { { 0, 1, 2, 3 }, { 0, 1, 3, 4 }, { 0, 1, 4, 2 } };
   for (const bool alike : { true, false })
   {
     const Triangle second = alike ? Triangle{ 1, 0, 3 } : Triangle{ 0, 1, 3 };
-    const StoredStream<3> stream = Carvable(points, cells, { { 0, 1, 2 }, second });
-    const Level<3> level = ExtractLevel(stream, stream.Order.LastStep());
+    const StoredStream<3> stream = Sheets({ { 0, 1, 2 }, second });
+    const Level<3> level = LastLevel(stream);
     EXPECT_EQ(CutIntoManifold(stream, level).Points.size(), alike ? 4u : 6u);
   }
 }

@@ -9,8 +9,8 @@
 
 using namespace carving;
 
-// A row of n tetrahedra has 2 n + 2 faces and n + 3 vertices, and loses two and one with each of them;
-// the last leaves one triangle.
+// A row of n tetrahedra has 2 n + 2 faces and n + 3 vertices, and loses two and one with each of
+// them; the last leaves one triangle.
 TEST(Profile, OfARowIsKnown)
 {
   const Tetrahedralization mesh = small::Row(5);

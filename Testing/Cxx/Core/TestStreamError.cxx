@@ -35,17 +35,13 @@ double SampleError(const StoredStream<3>& stream, int step)
   constexpr int n = 40;
   const std::vector<Point>& points = stream.Mesh.Surface.Points;
   double farthest = 0.0;
-  for (const Triangle& t : small::Triangles(ExtractLevel(stream, step)))
+  for (const auto& [a, b, c] : small::Triangles(ExtractLevel(stream, step)))
   {
     for (int i = 0; i <= n; ++i)
     {
       for (int j = 0; i + j <= n; ++j)
       {
-        Point p;
-        for (int k = 0; k < 3; ++k)
-        {
-          p[k] = (i * points[t[0]][k] + j * points[t[1]][k] + (n - i - j) * points[t[2]][k]) / n;
-        }
+        const Point p = (i * points[a] + j * points[b] + (n - i - j) * points[c]) / n;
         double closest = HUGE_VAL;
         for (const Triangle& facet : stream.Mesh.Surface.Facets)
         {
@@ -117,10 +113,7 @@ TEST(FacetTree, FindsTheClosest)
 {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
-  const models::TriangleMesh torus = models::Torus(1.0, 0.4, 20, 10);
-  ResolvedMesh mesh;
-  mesh.Points = torus.Points;
-  mesh.Facets = torus.Triangles;
+  const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
   const FacetTree<3> tree(mesh);
   for (int i = 0; i < 1000; ++i)
   {

@@ -4,7 +4,6 @@
  * Components, tunnels and voids of streams that are small enough to be worked out by hand.
  */
 #include "Core/Measure/StreamTopology.h"
-#include "Core/Mesh/BettiNumbers.h"
 #include "Homology.h"
 #include "SmallMeshes.h"
 
@@ -15,36 +14,35 @@ using namespace carving;
 namespace
 {
 
-Profile MakeProfile(const Tetrahedralization& mesh, const Stream& stream)
+Profile MakeProfile(
+  const Tetrahedralization& mesh, const Stream& stream, SolidRule rule = SolidRule::NonzeroWinding)
 {
   Profile profile;
-  SetTopology(profile, mesh, Classify(mesh), stream);
+  SetTopology(profile, mesh, Classify(mesh, rule), stream);
   return profile;
 }
 
 } // namespace
 
-// What is left of a row of tetrahedra is one piece without tunnels and voids, whatever has been carved.
+// What is left of a row of tetrahedra is one piece without tunnels and voids, whatever has been
+// carved.
 TEST(StreamTopology, OfARowIsTrivial)
 {
   const Tetrahedralization mesh = small::Row(5);
-  const Profile profile = MakeProfile(mesh, small::CarveOneByOne(mesh));
+  const Profile profile = MakeProfile(mesh, small::Carved(mesh, small::OneByOne()));
   EXPECT_EQ(profile.Components, std::vector<int>(6, 1));
   EXPECT_EQ(profile.Tunnels, std::vector<int>(6, 0));
   EXPECT_EQ(profile.Voids, std::vector<int>(6, 0));
 }
 
-// A shell around a solid: carving the void between them ends with two components and one void; of the
-// surfaces alone, without solid, with two voids.
+// A shell around a solid: carving the void between them ends with two components and one void; of
+// the surfaces alone, without solid, with two voids.
 TEST(StreamTopology, OfAShellEndsInItsVoid)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(
     small::Joined(small::InnerFaces(), small::Flipped(small::OuterFaces())));
-  Stream stream;
-  const Classification surfaceOnly = Classify(mesh, SolidRule::SurfaceOnly);
-  Carve(mesh, surfaceOnly, {}, stream);
-  Profile profile;
-  SetTopology(profile, mesh, surfaceOnly, stream);
+  const SolidRule rule = SolidRule::SurfaceOnly;
+  const Profile profile = MakeProfile(mesh, small::Carved(mesh, {}, rule), rule);
   EXPECT_EQ(profile.Components.front(), 1);
   EXPECT_EQ(profile.Components.back(), 2);
   EXPECT_EQ(profile.Tunnels.back(), 0);
@@ -60,7 +58,7 @@ TEST(StreamTopology, AgreesWithBoundaryMatrices)
          small::NestedTetrahedra(small::Joined(inner, small::Flipped(small::OuterFaces()))),
          small::NestedTetrahedra(small::OuterFaces()), small::NestedTetrahedra({ inner[0] }) })
   {
-    const Stream stream = small::CarveOneByOne(mesh);
+    const Stream stream = small::Carved(mesh, small::OneByOne());
     const Profile profile = MakeProfile(mesh, stream);
     for (int step = 0; step <= stream.LastStep(); ++step)
     {

@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/Winding.h"
 #include "Shapes.h"
+#include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
 
 using namespace carving;
-
-namespace
-{
-
-ResolvedMesh Resolved(const TriangleMesh& mesh)
-{
-  ResolvedMesh result;
-  result.Points = mesh.Points;
-  result.Facets = mesh.Triangles;
-  result.SignedMultiplicities.assign(mesh.Triangles.size(), 1);
-  return result;
-}
-
-} // namespace
+using small::Resolved;
 
 // The winding number of a solid is 1 inside and 0 outside.
 TEST(WindingNumber, IsOneInsideAndZeroOutside)

@@ -2,6 +2,7 @@
 #include "Core/Solid/Winding.h"
 #include "Core/Solid/WindingTree.h"
 #include "Shapes.h"
+#include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +49,8 @@ double LargestError(const ResolvedMesh& mesh, std::mt19937& random, int numberOf
 
 } // namespace
 
-// The sum over a tree comes close to the sum over all triangles, near them, among them and far away.
+// The sum over a tree comes close to the sum over all triangles, near them, among them and far
+// away.
 TEST(WindingTree, ComesCloseToTheSumOverAllTriangles)
 {
   std::mt19937 random(3);
@@ -63,11 +65,8 @@ TEST(WindingTree, StaysCloseForAFineMesh)
 {
   std::mt19937 random(4);
   const TriangleMesh sphere = models::Moved(models::Sphere(5), { 0.5, 0.5, 0.5 }, 0.4);
-  ResolvedMesh mesh;
-  mesh.Points = sphere.Points;
-  mesh.Facets = sphere.Triangles;
+  ResolvedMesh mesh = small::Resolved(sphere);
   mesh.Facets.resize(mesh.Facets.size() / 2);
-  mesh.SignedMultiplicities.assign(mesh.Facets.size(), 1);
   EXPECT_LT(LargestError(mesh, random, 300), 0.02);
 }
 

@@ -15,7 +15,6 @@
 #include <ctime>
 #include <map>
 #include <random>
-#include <stdexcept>
 
 namespace
 {
@@ -53,14 +52,7 @@ const Tetrahedra& GetTetrahedra(int model, int parts)
   const auto [found, isNew] = known.try_emplace({ model, parts });
   if (isNew)
   {
-    carving::Job job;
-    job.Mesh = model == 0 ? models::Tree(parts) : Crumbs(parts);
-    const HelperRun run = RunHelper(job);
-    if (!run.Succeeded())
-    {
-      throw std::runtime_error(run.Reply.Error + run.Mistake);
-    }
-    found->second.Mesh = run.Reply.Result;
+    found->second.Mesh = GetReply(model == 0 ? models::Tree(parts) : Crumbs(parts)).Result;
     found->second.Regions = carving::Classify(found->second.Mesh);
   }
   return found->second;

@@ -15,7 +15,6 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
-#include <stdexcept>
 
 using namespace carving;
 
@@ -37,12 +36,7 @@ const Carving& GetCarving(int leaves)
   Carving& carving = found->second;
   if (isNew)
   {
-    const HelperRun run = RunHelper(models::Tree(leaves));
-    if (!run.Succeeded())
-    {
-      throw std::runtime_error("carving-helper: " + run.Mistake + run.Reply.Error);
-    }
-    carving.Mesh = run.Reply.Result;
+    carving.Mesh = GetReply(models::Tree(leaves)).Result;
     carving.Regions = Classify(carving.Mesh);
     Carve(carving.Mesh, carving.Regions, {}, carving.Order);
     carving.Stored = Store(carving.Mesh, carving.Regions, carving.Order);

@@ -4,6 +4,8 @@
 #include "PointMath.h"
 #include "Shapes.h"
 
+#include <cstdlib>
+
 namespace models
 {
 namespace
@@ -64,6 +66,12 @@ TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
 
 } // namespace
 
+int NumberOfCases(const char* variable, int otherwise)
+{
+  const char* number = std::getenv(variable);
+  return number ? std::atoi(number) : otherwise;
+}
+
 TriangleMesh Soup(int n, std::mt19937_64& random)
 {
   std::uniform_int_distribution<int> coordinate(0, 10);
@@ -72,8 +80,8 @@ TriangleMesh Soup(int n, std::mt19937_64& random)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int x = coordinate(random), y = coordinate(random), z = coordinate(random);
-      mesh.Points.push_back({ double(x), double(y), double(z) });
+      mesh.Points.push_back(
+        { double(coordinate(random)), double(coordinate(random)), double(coordinate(random)) });
     }
     mesh.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
   }

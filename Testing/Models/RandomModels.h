@@ -15,6 +15,9 @@ namespace models
 
 using carving::TriangleMesh;
 
+/** The number of random cases: few by default, more through a variable of the environment. */
+int NumberOfCases(const char* variable, int otherwise);
+
 /** `n` triangles with random corners in a cube; most of them cross others. */
 TriangleMesh Soup(int n, std::mt19937_64& random);
 

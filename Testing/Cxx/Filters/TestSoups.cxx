@@ -6,15 +6,12 @@
 
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <random>
 
@@ -22,13 +19,6 @@ using namespace carving;
 
 namespace
 {
-
-/** The number of soups: few by default, more through the environment. */
-int NumberOfSoups()
-{
-  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_FILTER_SOUPS");
-  return number ? std::atoi(number) : 200;
-}
 
 TriangleMesh DrawSoup(std::mt19937_64& random)
 {
@@ -124,8 +114,7 @@ Probes GetProbes(const TriangleMesh& mesh)
     if (Length(Cross(q - p, r - p)) > 0.0)
     {
       probes.Corners.insert(probes.Corners.end(), { p, q, r });
-      probes.Middles.push_back(
-        { (p[0] + q[0] + r[0]) / 3.0, (p[1] + q[1] + r[1]) / 3.0, (p[2] + q[2] + r[2]) / 3.0 });
+      probes.Middles.push_back((p + q + r) / 3.0);
     }
   }
   std::sort(probes.Corners.begin(), probes.Corners.end());
@@ -198,7 +187,7 @@ TEST(Soups, AreEnclosedWithAnySettings)
 {
   std::mt19937_64 random(9);
   int carved = 0;
-  const int count = NumberOfSoups();
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_FILTER_SOUPS", 200);
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("soup " + std::to_string(i));

@@ -20,6 +20,24 @@ int CountCrossings(
 /** Whether every edge is used equally often in both directions. */
 bool IsClosed(const std::vector<carving::Triangle>& triangles);
 
+/** For each facet of M, the number of faces of cells that lie on it. */
+template <int D>
+std::vector<int> CountFaces(const carving::Decomposition<D>& mesh)
+{
+  std::vector<int> counts(mesh.Surface.Facets.size(), 0);
+  for (const auto& facets : mesh.Constraints)
+  {
+    for (const int facet : facets)
+    {
+      if (facet >= 0)
+      {
+        ++counts[facet];
+      }
+    }
+  }
+  return counts;
+}
+
 /** Six times the volume of all tetrahedra; NaN if any is not positively oriented. */
 double SixVolume(const carving::Tetrahedralization& mesh);
 

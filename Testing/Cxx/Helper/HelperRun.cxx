@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
-#include <sstream>
+#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,9 +33,7 @@ HelperRun RunHelper(const std::string& input)
 
 HelperRun RunHelper(const carving::Job& job)
 {
-  std::ostringstream bytes;
-  carving::Write(bytes, job);
-  return RunHelper(bytes.str());
+  return RunHelper(ToBytes(job));
 }
 
 HelperRun RunHelper(const carving::TriangleMesh& mesh, carving::JobKind kind)
@@ -44,4 +42,32 @@ HelperRun RunHelper(const carving::TriangleMesh& mesh, carving::JobKind kind)
   job.Kind = kind;
   job.Mesh = mesh;
   return RunHelper(job);
+}
+
+carving::Reply GetReply(const carving::Job& job)
+{
+  HelperRun run = RunHelper(job);
+  if (!run.Succeeded())
+  {
+    throw std::runtime_error("carving-helper: " + run.Mistake + run.Reply.Error);
+  }
+  return std::move(run.Reply);
+}
+
+carving::Reply GetReply(const carving::TriangleMesh& mesh)
+{
+  carving::Job job;
+  job.Mesh = mesh;
+  return GetReply(job);
+}
+
+carving::Reply GetReply(const carving::TriangleMesh& mesh, carving::Conformity conformity,
+  double tolerance, carving::InitialApproximation initial)
+{
+  carving::Job job;
+  job.EnclosingTolerance = tolerance;
+  job.Mesh = mesh;
+  job.Initial = initial;
+  job.Conformity = conformity;
+  return GetReply(job);
 }

@@ -27,6 +27,10 @@ Carved CarveResult(const carving::Tetrahedralization& mesh,
   const carving::CarveOptions& options = {},
   carving::SolidRule rule = carving::SolidRule::NonzeroWinding);
 
+/** The part of a level that bounds a volume: all faces except the folds. */
+std::vector<carving::Triangle> Shell(const carving::Level<3>& level);
+std::vector<carving::Triangle> AllTriangles(const carving::Level<3>& level);
+
 /**
  * Expects that the profile has the Betti numbers that the ranks of boundary matrices give (property
  * 6).

@@ -9,7 +9,6 @@
 #include "GluedCount.h"
 #include "HelperRun.h"
 #include "Homology.h"
-#include "PropertyChecks.h"
 #include "RandomModels.h"
 #include "RealMeshes.h"
 #include "Shapes.h"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 using namespace carving;
@@ -26,14 +24,9 @@ using namespace carving;
 namespace
 {
 
-constexpr homology::BettiNumbers Ball = { 1, 0, 0, 0 };
+const int NumberOfMeshes = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_BUDGETS", 60);
 
-/** The number of random meshes: few by default, more through the environment. */
-int NumberOfRandomBudgets()
-{
-  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_BUDGETS");
-  return number ? std::atoi(number) : 60;
-}
+constexpr homology::BettiNumbers Ball = { 1, 0, 0, 0 };
 
 struct Tetrahedra
 {
@@ -44,13 +37,9 @@ struct Tetrahedra
 Tetrahedra Tetrahedralize(const TriangleMesh& mesh, Conformity conformity = Conformity::Auto,
   SolidRule rule = SolidRule::NonzeroWinding)
 {
-  Job job;
-  job.Mesh = mesh;
-  job.Conformity = conformity;
-  job.EnclosingTolerance = 0.0; // no refinement: small enough for Betti numbers at every step
-  const HelperRun run = RunHelper(job);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  return { run.Reply.Result, Classify(run.Reply.Result, rule) };
+  // Without refinement: small enough for Betti numbers at every step.
+  const Tetrahedralization result = GetReply(mesh, conformity).Result;
+  return { result, Classify(result, rule) };
 }
 
 Stream CarveWithin(const Tetrahedra& tetrahedra, CarveOptions options, const BettiNumbers& budget)
@@ -180,7 +169,7 @@ Tetrahedra DrawTetrahedra(std::mt19937_64& random)
 TEST(Budgets, AreObeyedOnRandomMeshes)
 {
   std::mt19937_64 random(1847);
-  for (int i = 0; i < NumberOfRandomBudgets() && !testing::Test::HasFailure(); ++i)
+  for (int i = 0; i < NumberOfMeshes && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("random mesh " + std::to_string(i));
     const Tetrahedra tetrahedra = DrawTetrahedra(random);
@@ -220,7 +209,7 @@ TEST(Budgets, ChangeNothingWhereTheyAreNotNeeded)
 TEST(Budgets, WrapAnythingInABall)
 {
   std::mt19937_64 random(22);
-  for (int i = 0; i < NumberOfRandomBudgets() && !testing::Test::HasFailure(); ++i)
+  for (int i = 0; i < NumberOfMeshes && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("random mesh " + std::to_string(i));
     const bool soup = i % 2 == 0;
@@ -327,17 +316,16 @@ TEST(Budgets, AreObeyedInThePlane)
         }
       }
     }
-    const HelperRun run = RunHelper(job);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    const Classification regions = Classify(run.Reply.Plane, static_cast<SolidRule>(random() % 3));
+    const Decomposition<2> mesh = GetReply(job).Plane;
+    const Classification regions = Classify(mesh, static_cast<SolidRule>(random() % 3));
     CarveOptions options = DrawOptions(random);
     options.Budget = DrawBudget(random);
     Stream stream;
-    ASSERT_TRUE(Carve(run.Reply.Plane, regions, options, stream));
-    EXPECT_EQ(ExpectToObey(run.Reply.Plane, stream, options.Budget)[2], 0);
+    ASSERT_TRUE(Carve(mesh, regions, options, stream));
+    EXPECT_EQ(ExpectToObey(mesh, stream, options.Budget)[2], 0);
     options.Budget = { 1, 0, 0 };
-    ASSERT_TRUE(Carve(run.Reply.Plane, regions, options, stream));
-    EXPECT_EQ(BettiNumbersAt(run.Reply.Plane, stream, stream.LastStep()), Ball);
+    ASSERT_TRUE(Carve(mesh, regions, options, stream));
+    EXPECT_EQ(BettiNumbersAt(mesh, stream, stream.LastStep()), Ball);
   }
 }
 

@@ -7,7 +7,6 @@
  */
 #include "Contours.h"
 #include "Core/Carving/Carver.h"
-#include "Core/Carving/Priority.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Measure/Profile.h"
 #include "Core/Mesh/Vector.h"
@@ -93,21 +92,12 @@ double ShareOfDeepVertices(const Decomposition<D>& mesh, double depthExponent, d
     vertices.size();
 }
 
-Decomposition<3> Tetrahedralize(const TriangleMesh& mesh)
-{
-  const HelperRun run = RunHelper(mesh);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  return run.Reply.Result;
-}
-
 Decomposition<2> TriangulateContour(const models::ContourModel& contour)
 {
   Job job;
   job.Kind = JobKind::Triangulate;
   job.Contours = { contour.Points, contour.Edges };
-  const HelperRun run = RunHelper(job);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  return run.Reply.Plane;
+  return GetReply(job).Plane;
 }
 
 } // namespace
@@ -122,7 +112,7 @@ TEST(CarvingStyle, DepthKeepsFromSnakingInThePlane)
 // Figure 11: breadth and depth prevent spiking between leaves.
 TEST(CarvingStyle, BreadthAndDepthKeepFromSpikingBetweenLeaves)
 {
-  const Decomposition<3> mesh = Tetrahedralize(models::YuccaLeaves());
+  const Decomposition<3> mesh = GetReply(models::YuccaLeaves()).Result;
   const double breadth = 0.05 * Diagonal(mesh.Surface.Points);
   const double plain = ShareOfDeepVertices(mesh, 0.0, 0.0);
   EXPECT_LT(ShareOfDeepVertices(mesh, 0.0, breadth), plain);

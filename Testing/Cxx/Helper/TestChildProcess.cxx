@@ -22,23 +22,17 @@ namespace
 
 Limits ByClock(double seconds)
 {
-  Limits limits;
-  limits.Seconds = seconds;
-  return limits;
+  return { seconds, 0.0, 0.0 };
 }
 
 Limits ByProcessor(double seconds)
 {
-  Limits limits;
-  limits.ProcessorSeconds = seconds;
-  return limits;
+  return { 0.0, seconds, 0.0 };
 }
 
 Limits ByMemory(double mebibytes)
 {
-  Limits limits;
-  limits.Mebibytes = mebibytes;
-  return limits;
+  return { 0.0, 0.0, mebibytes };
 }
 
 /** How work in a child process ended. */
@@ -150,8 +144,7 @@ TEST(ChildProcess, SurvivesACrash)
 // Work that hangs is ended by the limit on clock time.
 TEST(ChildProcess, EndsWorkThatHangs)
 {
-  const std::string end = EndOf(ByClock(0.2), &Hang);
-  EXPECT_EQ(end, "took longer than 0.2 s");
+  EXPECT_EQ(EndOf(ByClock(0.2), &Hang), "took longer than 0.2 s");
 }
 
 // Sleep is not processor time.

@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -23,37 +22,6 @@ using namespace carving;
 
 namespace
 {
-
-HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance = 0.0,
-  InitialApproximation initial = InitialApproximation::ConvexHull)
-{
-  Job job;
-  job.EnclosingTolerance = tolerance;
-  job.Mesh = mesh;
-  job.Initial = initial;
-  job.Conformity = Conformity::Enclosing;
-  return RunHelper(job);
-}
-
-/** How many random soups to try: a slice by default, more through the environment. */
-int NumberOfRandomSoups()
-{
-  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_SOUPS");
-  return number ? std::atoi(number) : 40;
-}
-
-/** The triangles that bound K without the folds, and all triangles. */
-void GetTriangles(const Level<3>& level, std::vector<Triangle>& shell, std::vector<Triangle>& all)
-{
-  for (const FaceLife<3>& face : level.Faces)
-  {
-    all.push_back(face.Corners);
-    if (!face.Fold)
-    {
-      shell.push_back(face.Corners);
-    }
-  }
-}
 
 double DistanceToPlanes(
   const std::vector<Point>& points, const std::vector<Triangle>& triangles, const Point& p)
@@ -80,14 +48,10 @@ void ExpectToEnclose(const TriangleMesh& given, const ResolvedMesh& surface, con
     {
       continue; // without area: dropped from M
     }
-    Point centroid = {};
+    const Point centroid = (a + b + c) / 3.0;
     for (const int corner : t)
     {
       used[corner] = 1;
-      for (int i = 0; i < 3; ++i)
-      {
-        centroid[i] += given.Points[corner][i] / 3.0;
-      }
     }
     // A centroid on the surface may be outside by a rounding.
     EXPECT_TRUE(
@@ -120,8 +84,7 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
   {
     SCOPED_TRACE("step " + std::to_string(step));
     const Level<3> level = ExtractLevel(carved.Stored, step);
-    std::vector<Triangle> shell, all;
-    GetTriangles(level, shell, all);
+    const std::vector<Triangle> shell = Shell(level), all = AllTriangles(level);
     EXPECT_EQ(checks::CountCrossings(points, all), 0);
     EXPECT_EQ(
       checks::FindFaults(level, CutIntoManifold(carved.Stored, level)), checks::ManifoldFaults());
@@ -139,18 +102,18 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
 TEST(Enclose, EnclosesRandomSoups)
 {
   std::mt19937_64 random(7);
-  for (int i = 0; i < NumberOfRandomSoups() && !testing::Test::HasFailure(); ++i)
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_SOUPS", 40);
+  for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
     const TriangleMesh mesh = models::Soup(2 + static_cast<int>(random() % 40), random);
     const auto initial = static_cast<InitialApproximation>(random() % 2);
     const double tolerance = std::array{ 0.0, 0.05, 0.1 }[random() % 3];
-    const HelperRun run = RunEnclosing(mesh, tolerance, initial);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    const Reply reply = GetReply(mesh, Conformity::Enclosing, tolerance, initial);
     CarveOptions options;
     options.DepthExponent = static_cast<double>(random() % 3);
     options.CarveExposed = random() % 2 != 0;
-    ExpectEnclosingLevels(mesh, CarveResult(run.Reply.Result, options, SolidRule::SurfaceOnly));
+    ExpectEnclosingLevels(mesh, CarveResult(reply.Result, options, SolidRule::SurfaceOnly));
   }
 }
 
@@ -162,10 +125,9 @@ TEST(Enclose, EnclosesRandomMeshes)
   {
     SCOPED_TRACE("mesh " + std::to_string(i));
     const models::RandomModel model = models::MakeRandom(random);
-    const HelperRun run = RunEnclosing(model.Mesh, random() % 2 ? 0.0 : 0.1);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+    const Reply reply = GetReply(model.Mesh, Conformity::Enclosing, random() % 2 ? 0.0 : 0.1);
     const auto rule = static_cast<SolidRule>(random() % 3);
-    ExpectEnclosingLevels(model.Mesh, CarveResult(run.Reply.Result, {}, rule));
+    ExpectEnclosingLevels(model.Mesh, CarveResult(reply.Result, {}, rule));
   }
 }
 
@@ -175,16 +137,10 @@ TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
 {
   const TriangleMesh mesh =
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 3, 0, 0 }, { 4, 1, 1 }));
-  const HelperRun run = RunEnclosing(mesh);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  for (const char kept : run.Reply.Result.Kept)
-  {
-    EXPECT_FALSE(kept);
-  }
-  const Carved carved = CarveResult(run.Reply.Result);
-  const Level<3> last = ExtractLevel(carved.Stored, carved.Stream.LastStep());
-  std::vector<Triangle> shell, all;
-  GetTriangles(last, shell, all);
+  const Reply reply = GetReply(mesh, Conformity::Enclosing);
+  EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
+  const Carved carved = CarveResult(reply.Result);
+  const auto shell = Shell(ExtractLevel(carved.Stored, carved.Stream.LastStep()));
   EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * 2.0, 1e-12);
   EXPECT_EQ(carved.Profile.Components.back(), 2);
 }
@@ -195,9 +151,8 @@ TEST(Enclose, KeepsWhatIsPierced)
   TriangleMesh mesh = models::Sheet(1);
   mesh = models::Joined(
     mesh, { { { 0.3, 0.2, -1 }, { 0.4, 0.9, 1 }, { 0.7, 0.5, 1.5 } }, { { 0, 1, 2 } } });
-  const HelperRun run = RunEnclosing(mesh);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  const Carved carved = CarveResult(run.Reply.Result, {}, SolidRule::SurfaceOnly);
+  const Reply reply = GetReply(mesh, Conformity::Enclosing);
+  const Carved carved = CarveResult(reply.Result, {}, SolidRule::SurfaceOnly);
   int kept = 0;
   for (std::size_t cell = 0; cell < carved.Mesh.Kept.size(); ++cell)
   {
@@ -211,19 +166,18 @@ TEST(Enclose, KeepsWhatIsPierced)
   EXPECT_GT(kept, 0);
 }
 
-// The rule decides which part of a box inside a box is solid: both boxes, the space between them, or
-// none.
+// The rule decides which part of a box inside a box is solid: both boxes, the space between them,
+// or none.
 TEST(Enclose, KnowsSolidsByEveryRule)
 {
-  const HelperRun run = RunEnclosing(
-    models::Joined(models::Box({ 0, 0, 0 }, { 4, 4, 4 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 })));
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Reply reply = GetReply(
+    models::Joined(models::Box({ 0, 0, 0 }, { 4, 4, 4 }), models::Box({ 1, 1, 1 }, { 3, 3, 3 })),
+    Conformity::Enclosing);
   for (const auto& [rule, volume] : { std::pair(SolidRule::NonzeroWinding, 64.0),
          std::pair(SolidRule::EvenOdd, 64.0 - 8.0), std::pair(SolidRule::SurfaceOnly, 0.0) })
   {
-    const Carved carved = CarveResult(run.Reply.Result, {}, rule);
-    std::vector<Triangle> shell, all;
-    GetTriangles(ExtractLevel(carved.Stored, carved.Stream.LastStep()), shell, all);
+    const Carved carved = CarveResult(reply.Result, {}, rule);
+    const auto shell = Shell(ExtractLevel(carved.Stored, carved.Stream.LastStep()));
     EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * volume, 1e-9);
   }
 }

@@ -18,11 +18,9 @@ namespace
 
 Profile MakeProfile(const TriangleMesh& given, double depthExponent)
 {
-  const HelperRun run = RunHelper(given);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
   CarveOptions options;
   options.DepthExponent = depthExponent;
-  return CarveResult(run.Reply.Result, options).Profile;
+  return CarveResult(GetReply(given).Result, options).Profile;
 }
 
 /** The share of steps with one component and the given number of tunnels. */

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 using namespace carving;
@@ -21,14 +20,10 @@ namespace
 
 Tetrahedralization DrawTetrahedra(std::mt19937_64& random)
 {
-  Job job;
-  job.Mesh = random() % 2 == 0 ? models::Soup(2 + static_cast<int>(random() % 8), random)
-                               : models::MakeRandom(random).Mesh;
-  job.Conformity = Conformity::Auto;
-  job.EnclosingTolerance = 0.0; // no refinement
-  const HelperRun run = RunHelper(job);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  return run.Reply.Result;
+  const TriangleMesh mesh = random() % 2 == 0
+    ? models::Soup(2 + static_cast<int>(random() % 8), random)
+    : models::MakeRandom(random).Mesh;
+  return GetReply(mesh, Conformity::Auto).Result;
 }
 
 /** Carves one tetrahedron a step, in a random order. Each adjoins the exterior. */

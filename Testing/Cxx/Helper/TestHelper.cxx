@@ -16,20 +16,9 @@ TEST(Helper, FillsTheHull)
 {
   const TriangleMesh boxes =
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
-  const HelperRun run = RunHelper(boxes);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * 3.0, 1e-12);
-  std::vector<int> faces(run.Reply.Result.Surface.Facets.size(), 0);
-  for (const auto& constraints : run.Reply.Result.Constraints)
-  {
-    for (const int triangle : constraints)
-    {
-      if (triangle >= 0)
-      {
-        ++faces[triangle];
-      }
-    }
-  }
+  const Reply reply = GetReply(boxes);
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 3.0, 1e-12);
+  const std::vector<int> faces = checks::CountFaces(reply.Result);
   EXPECT_EQ(faces.size(), 24u);
   for (const int count : faces)
   {
@@ -55,9 +44,8 @@ TEST(Helper, KeepsThePointsOfTheInput)
     twisted.Triangles.push_back({ i, j, i + 3 });
     twisted.Triangles.push_back({ j, j + 3, i + 3 });
   }
-  const HelperRun run = RunHelper(twisted);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  const ResolvedMesh& surface = run.Reply.Result.Surface;
+  const Reply reply = GetReply(twisted);
+  const ResolvedMesh& surface = reply.Result.Surface;
   for (std::size_t i = 0; i < surface.Points.size(); ++i)
   {
     EXPECT_EQ(surface.PointSources[i], i < 6 ? static_cast<int>(i) : -1);
@@ -73,11 +61,10 @@ TEST(Helper, ResolvesAndCountsIntersections)
 {
   const TriangleMesh mesh =
     models::Joined(models::Sphere(1), models::Moved(models::Sphere(1), { 0.7, 0.31, 0.17 }));
-  const HelperRun run = RunHelper(mesh);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  EXPECT_GT(run.Reply.IntersectingPairs, 0);
-  EXPECT_EQ(RunHelper(mesh, JobKind::CountIntersections).Reply.IntersectingPairs,
-    run.Reply.IntersectingPairs);
+  const Reply reply = GetReply(mesh);
+  EXPECT_GT(reply.IntersectingPairs, 0);
+  EXPECT_EQ(
+    RunHelper(mesh, JobKind::CountIntersections).Reply.IntersectingPairs, reply.IntersectingPairs);
 }
 
 // The number of intersecting pairs of the bones agrees with an independent, exact count.
@@ -96,19 +83,14 @@ TEST(Helper, FillsAGrownBox)
   Job job;
   job.Initial = InitialApproximation::BoundingBox;
   job.Mesh = models::Sphere(1);
-  for (Point& p : job.Mesh.Points)
-  {
-    p = { 0.5 + 0.5 * p[0], 0.5 + 0.5 * p[1], 0.5 + 0.5 * p[2] };
-  }
-  job.Mesh = models::Joined(job.Mesh, models::Box({ 0, 0, 0 }, { 1, 1, 1 }));
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error << run.Mistake;
-  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * std::pow(1.0 + 2.0 * margin, 3), 1e-9);
+  job.Mesh = models::Joined(
+    models::Moved(job.Mesh, { 0.5, 0.5, 0.5 }, 0.5), models::Box({ 0, 0, 0 }, { 1, 1, 1 }));
+  const Reply reply = GetReply(job);
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * std::pow(1.0 + 2.0 * margin, 3), 1e-9);
 
   job.Mesh = models::Sheet(2);
-  const HelperRun flat = RunHelper(job);
-  ASSERT_TRUE(flat.Succeeded()) << flat.Reply.Error << flat.Mistake;
-  EXPECT_EQ(flat.Reply.Result.Surface.Points.size(), 9u + 8u);
+  const Reply flat = GetReply(job);
+  EXPECT_EQ(flat.Result.Surface.Points.size(), 9u + 8u);
 }
 
 // A clean mesh has no intersections.

@@ -11,11 +11,8 @@ using namespace carving::helper;
 // All tetrahedra fill the hull; with one missing or duplicated they do not.
 TEST(Hull, IsFilledByAllTetrahedra)
 {
-  Job job;
-  job.Mesh = models::Joined(models::Sphere(3), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  Tetrahedralization mesh = run.Reply.Result;
+  Tetrahedralization mesh =
+    GetReply(models::Joined(models::Sphere(3), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))).Result;
   EXPECT_TRUE(FillHull(mesh));
   const auto last = mesh.Cells.back();
   mesh.Cells.pop_back();

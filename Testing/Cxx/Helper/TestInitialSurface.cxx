@@ -17,13 +17,13 @@ TriangleMesh BigBox()
   return models::Box({ -3, -3, -3 }, { 3, 3, 3 });
 }
 
-HelperRun RunWithin(const TriangleMesh& mesh, const TriangleMesh& initial)
+Job MakeJob(const TriangleMesh& mesh, const TriangleMesh& initial)
 {
   Job job;
   job.Initial = InitialApproximation::Custom;
   job.Mesh = mesh;
   job.InitialMesh = initial;
-  return RunHelper(job);
+  return job;
 }
 
 } // namespace
@@ -57,10 +57,9 @@ TEST(InitialSurface, NamesEachCheckThatFails)
 // The tetrahedra fill the given C0, and only triangles of M constrain them.
 TEST(InitialSurface, IsFilled)
 {
-  const HelperRun run = RunWithin(models::Sphere(1), BigBox());
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * 216.0, 1e-9);
-  EXPECT_EQ(run.Reply.Result.Surface.Facets.size(), models::Sphere(1).Triangles.size());
+  const Reply reply = GetReply(MakeJob(models::Sphere(1), BigBox()));
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 216.0, 1e-9);
+  EXPECT_EQ(reply.Result.Surface.Facets.size(), models::Sphere(1).Triangles.size());
 }
 
 // A nonconvex C0 is filled, but not the space between it and its hull.
@@ -76,24 +75,22 @@ TEST(InitialSurface, NeedNotBeConvex)
   dented.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 5 }, { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 },
     { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 }, { 4, 5, 8 }, { 5, 7, 8 }, { 7, 6, 8 },
     { 6, 4, 8 } };
-  const HelperRun run = RunWithin(models::Sphere(1), dented);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
+  const Reply reply = GetReply(MakeJob(models::Sphere(1), dented));
   // The missing pyramid has the base 6 x 6 and the height 1.5.
-  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 6.0 * (216.0 - 36.0 * 1.5 / 3.0), 1e-9);
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * (216.0 - 36.0 * 1.5 / 3.0), 1e-9);
 }
 
 // C0 may touch the input; triangles on both belong to the input.
 TEST(InitialSurface, MayTouchTheInput)
 {
   const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
-  const HelperRun run = RunWithin(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 }));
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_NEAR(checks::SixVolume(run.Reply.Result), 12.0, 1e-12);
-  for (const int multiplicity : run.Reply.Result.Surface.Multiplicities)
+  const Reply reply = GetReply(MakeJob(box, models::Box({ 0, 0, 0 }, { 1, 1, 2 })));
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 12.0, 1e-12);
+  for (const int multiplicity : reply.Result.Surface.Multiplicities)
   {
     EXPECT_EQ(multiplicity, 1);
   }
-  EXPECT_EQ(run.Reply.IntersectingPairs, 0);
+  EXPECT_EQ(reply.IntersectingPairs, 0);
 }
 
 // An input that is not inside C0 is refused.
@@ -101,7 +98,8 @@ TEST(InitialSurface, MustContainTheInput)
 {
   for (const double shift : { 2.5, 10.0 })
   {
-    const HelperRun run = RunWithin(models::Moved(models::Sphere(1), { shift, 0, 0 }), BigBox());
+    const HelperRun run =
+      RunHelper(MakeJob(models::Moved(models::Sphere(1), { shift, 0, 0 }), BigBox()));
     EXPECT_NE(run.Reply.Error.find("does not contain the input"), std::string::npos)
       << run.Reply.Error;
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/FacetTree.h"
 #include "Helper/Exact/Tetrahedralize.h"
 #include "Helper/Resolve/Interior.h"
 #include "HelperRun.h"
@@ -35,11 +36,7 @@ std::set<std::array<Point, 3>> BoundaryOfSolid(const ResolvedMesh& surface, Soli
       if (regions.Kind(cell) == RegionKind::Solid &&
         (other < 0 || regions.Kind(other) != RegionKind::Solid))
       {
-        std::array<Point, 3> corners;
-        for (int i = 0; i < 3; ++i)
-        {
-          corners[i] = mesh.Surface.Points[mesh.OutwardFace(cell, f)[i]];
-        }
+        auto corners = CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f));
         std::rotate(
           corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         boundary.insert(corners);
@@ -117,9 +114,8 @@ TEST(Interior, IsDroppedWhereTetGenFailsOnTheWhole)
   Job job;
   job.Mesh = models::Assembly(12, random);
   job.Solid = SolidRule::NonzeroWinding;
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_EQ(run.Reply.Strategy.find("TetGen -pcY, without interior"), 0u) << run.Reply.Strategy;
-  EXPECT_GT(run.Reply.InteriorDropped, 0);
-  EXPECT_NE(run.Reply.SolidMatters, 0);
+  const Reply reply = GetReply(job);
+  EXPECT_EQ(reply.Strategy.find("TetGen -pcY, without interior"), 0u) << reply.Strategy;
+  EXPECT_GT(reply.InteriorDropped, 0);
+  EXPECT_NE(reply.SolidMatters, 0);
 }

@@ -5,6 +5,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -68,14 +69,8 @@ bool PiercesByClipping(const Corners3& triangle, const Corners4& k)
   }
   const Rational::Point_3 middle =
     Rational::Point_3(0, 0, 0) + sum / CGAL::Exact_rational(static_cast<int>(polygon.size()));
-  for (const auto& plane : planes)
-  {
-    if (!plane.has_on_negative_side(middle))
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(planes.begin(), planes.end(),
+    [&](const auto& plane) { return plane.has_on_negative_side(middle); });
 }
 
 bool Pierces(const Corners3& triangle, const Corners4& tetrahedron)

@@ -12,24 +12,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <cstring>
 #include <random>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 using namespace carving;
 
 namespace
 {
-
-/** How many random meshes to try: a slice by default, more through the environment. */
-int NumberOfRandomMeshes()
-{
-  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_MESHES");
-  return number ? std::atoi(number) : 200;
-}
 
 /** Random settings of a carving. */
 struct RandomOptions
@@ -93,9 +84,7 @@ private:
 std::string BytesOf(Reply reply)
 {
   reply.StageSeconds.assign(NumberOfStages, 0.0);
-  std::ostringstream bytes;
-  Write(bytes, reply);
-  return bytes.str();
+  return ToBytes(reply);
 }
 
 template <class T>
@@ -118,7 +107,7 @@ TEST(Properties, HoldOnRandomMeshes)
   std::mt19937_64 random(20061121);
   int refused = 0;
   TriedPairs pairs;
-  const int count = NumberOfRandomMeshes();
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_MESHES", 200);
   for (int i = 0; i - refused < count && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("random mesh " + std::to_string(i));
@@ -156,11 +145,10 @@ TEST(Properties, AreDeterministic)
   for (int i = 0; i < 10; ++i)
   {
     const models::RandomModel model = models::MakeRandom(random);
-    const HelperRun first = RunHelper(model.Mesh), second = RunHelper(model.Mesh);
-    ASSERT_TRUE(first.Succeeded()) << first.Reply.Error;
-    EXPECT_EQ(BytesOf(first.Reply), BytesOf(second.Reply));
-    const Stream a = CarveResult(first.Reply.Result).Stream;
-    const Stream b = CarveResult(second.Reply.Result).Stream;
+    const Reply first = GetReply(model.Mesh), second = GetReply(model.Mesh);
+    EXPECT_EQ(BytesOf(first), BytesOf(second));
+    const Stream a = CarveResult(first.Result).Stream;
+    const Stream b = CarveResult(second.Result).Stream;
     ExpectEqualBits(a.Step, b.Step);
     ExpectEqualBits(a.Priority, b.Priority);
     ExpectEqualBits(a.Depth, b.Depth);
@@ -174,9 +162,8 @@ TEST(Properties, LeaveConvexMeshesAsTheyAre)
   for (const TriangleMesh& mesh : { models::Tetrahedron(), models::Sphere(2),
          models::Box({ 0, 0, 0 }, { 1, 2, 3 }), models::Flipped(models::Sphere(1)) })
   {
-    const HelperRun run = RunHelper(mesh);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    const Carved carved = CarveResult(run.Reply.Result);
+    const Reply reply = GetReply(mesh);
+    const Carved carved = CarveResult(reply.Result);
     EXPECT_EQ(carved.Stream.LastStep(), 0);
     EXPECT_EQ(ExtractLevel(carved.Stored, 0).Faces.size(), mesh.Triangles.size());
   }
@@ -186,9 +173,8 @@ TEST(Properties, LeaveConvexMeshesAsTheyAre)
 TEST_P(RealMesh, HasTheProperties)
 {
   const TriangleMesh mesh = ReadRealMesh(GetParam());
-  const HelperRun run = RunHelper(mesh);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  const Carved carved = CarveResult(run.Reply.Result);
+  const Reply reply = GetReply(mesh);
+  const Carved carved = CarveResult(reply.Result);
   ExpectProperties(mesh, carved, 4, 20);
   if (checks::IsClosed(mesh.Triangles))
   {

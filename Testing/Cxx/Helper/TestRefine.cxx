@@ -4,7 +4,6 @@
  * Enclosing mode: the distance of the last level from the mesh.
  */
 #include "Checks.h"
-#include "Core/Carving/Priority.h"
 #include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
@@ -20,18 +19,10 @@ using namespace carving;
 namespace
 {
 
-HelperRun RunEnclosing(const TriangleMesh& mesh, double tolerance)
-{
-  Job job;
-  job.Mesh = mesh;
-  job.Conformity = Conformity::Enclosing;
-  job.EnclosingTolerance = tolerance;
-  return RunHelper(job);
-}
-
 /** The largest distance from a mesh of sample points on the exposed faces of kept tetrahedra. */
 double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
 {
+  const std::vector<Point>& points = result.Surface.Points;
   double farthest = 0.0;
   for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
   {
@@ -42,16 +33,11 @@ double SampleReach(const TriangleMesh& mesh, const Tetrahedralization& result)
       {
         continue;
       }
-      const Triangle face = result.OutwardFace(static_cast<int>(cell), f);
+      const auto [a, b, c] = result.OutwardFace(static_cast<int>(cell), f);
       for (const auto& [u, v] : { std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(0.0, 1.0),
              std::pair(0.5, 0.0), std::pair(0.0, 0.5), std::pair(0.5, 0.5), std::pair(0.33, 0.33) })
       {
-        Point p;
-        for (int i = 0; i < 3; ++i)
-        {
-          p[i] = (1.0 - u - v) * result.Surface.Points[face[0]][i] +
-            u * result.Surface.Points[face[1]][i] + v * result.Surface.Points[face[2]][i];
-        }
+        const Point p = (1.0 - u - v) * points[a] + u * points[b] + v * points[c];
         farthest = std::max(farthest, checks::DistanceTo(mesh.Points, mesh.Triangles, p));
       }
     }
@@ -70,10 +56,9 @@ TEST(Refine, ReachesTheTolerance)
     SCOPED_TRACE("soup " + std::to_string(i));
     const TriangleMesh mesh = models::Soup(4 + static_cast<int>(random() % 20), random);
     const double tolerance = std::array{ 0.03, 0.06, 0.12 }[random() % 3];
-    const HelperRun run = RunEnclosing(mesh, tolerance);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    EXPECT_LE(run.Reply.KeptDistance, 1.05 * tolerance * Diagonal(mesh.Points));
-    EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
+    const Reply reply = GetReply(mesh, Conformity::Enclosing, tolerance);
+    EXPECT_LE(reply.KeptDistance, 1.05 * tolerance * Diagonal(mesh.Points));
+    EXPECT_LE(SampleReach(mesh, reply.Result), 1.05 * reply.KeptDistance);
   }
 }
 
@@ -85,32 +70,30 @@ TEST(Refine, AddsVerticesOnlyIfTold)
   int last = 0;
   for (const double tolerance : { 0.0, 0.1, 0.02 })
   {
-    const HelperRun run = RunEnclosing(mesh, tolerance);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    const ResolvedMesh& surface = run.Reply.Result.Surface;
-    EXPECT_EQ(std::count(surface.PointSources.begin(), surface.PointSources.end(), -1),
-      run.Reply.PointsAdded);
+    const Reply reply = GetReply(mesh, Conformity::Enclosing, tolerance);
+    const ResolvedMesh& surface = reply.Result.Surface;
+    EXPECT_EQ(
+      std::count(surface.PointSources.begin(), surface.PointSources.end(), -1), reply.PointsAdded);
     if (tolerance == 0.0)
     {
-      EXPECT_EQ(run.Reply.PointsAdded, 0);
-      EXPECT_LE(SampleReach(mesh, run.Reply.Result), 1.05 * run.Reply.KeptDistance);
-      EXPECT_GT(run.Reply.KeptDistance, 0.02 * Diagonal(mesh.Points));
+      EXPECT_EQ(reply.PointsAdded, 0);
+      EXPECT_LE(SampleReach(mesh, reply.Result), 1.05 * reply.KeptDistance);
+      EXPECT_GT(reply.KeptDistance, 0.02 * Diagonal(mesh.Points));
     }
     else
     {
-      EXPECT_GT(run.Reply.PointsAdded, last);
+      EXPECT_GT(reply.PointsAdded, last);
     }
-    last = run.Reply.PointsAdded;
+    last = reply.PointsAdded;
   }
 }
 
 // A mesh all of whose triangles are Delaunay faces gets no further vertex.
 TEST(Refine, AddsNothingToADelaunayMesh)
 {
-  const HelperRun run = RunEnclosing(
+  const Reply reply = GetReply(
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 3, 0, 0 }, { 4, 1, 1 })),
-    0.001);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_EQ(run.Reply.PointsAdded, 0);
-  EXPECT_EQ(run.Reply.KeptDistance, 0.0);
+    Conformity::Enclosing, 0.001);
+  EXPECT_EQ(reply.PointsAdded, 0);
+  EXPECT_EQ(reply.KeptDistance, 0.0);
 }

@@ -24,14 +24,14 @@ using namespace carving::helper;
 namespace
 {
 
-HelperRun RunWith(const TriangleMesh& mesh, Conformity conformity, double timeLimit = 0.0)
+Job MakeJob(const TriangleMesh& mesh, Conformity conformity, double timeLimit = 0.0)
 {
   Job job;
   job.Mesh = mesh;
   job.Conformity = conformity;
   job.TimeLimit = timeLimit;
   job.EnclosingTolerance = 0.0;
-  return RunHelper(job);
+  return job;
 }
 
 /** TetGen fails on it in every order unless it may add points on the surface. */
@@ -86,11 +86,10 @@ TEST(Strategies, EndAtTheFirstSuccess)
 {
   for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
   {
-    const HelperRun run = RunWith(models::Sphere(2), conformity);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    EXPECT_EQ(run.Reply.Strategy, "TetGen -pcY");
-    EXPECT_EQ(run.Reply.Attempts, "");
-    EXPECT_TRUE(run.Reply.Result.Kept.empty());
+    const Reply reply = GetReply(MakeJob(models::Sphere(2), conformity));
+    EXPECT_EQ(reply.Strategy, "TetGen -pcY");
+    EXPECT_EQ(reply.Attempts, "");
+    EXPECT_TRUE(reply.Result.Kept.empty());
   }
 }
 
@@ -98,25 +97,14 @@ TEST(Strategies, EndAtTheFirstSuccess)
 // same surface.
 TEST(Strategies, SplitTrianglesIfNecessary)
 {
-  const HelperRun run = RunWith(NeedsSplitting(), Conformity::Exact);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_EQ(run.Reply.Strategy.find("TetGen -pcM"), 0u) << run.Reply.Strategy;
-  EXPECT_EQ(run.Reply.Limits, ""); // a higher limit would not have helped
+  const Reply reply = GetReply(MakeJob(NeedsSplitting(), Conformity::Exact));
+  EXPECT_EQ(reply.Strategy.find("TetGen -pcM"), 0u) << reply.Strategy;
+  EXPECT_EQ(reply.Limits, ""); // a higher limit would not have helped
   // The last of the six orders that the documentation of Conformity states, counted from 0.
-  EXPECT_NE(run.Reply.Attempts.find("order 5"), std::string::npos);
-  const Tetrahedralization& result = run.Reply.Result;
+  EXPECT_NE(reply.Attempts.find("order 5"), std::string::npos);
+  const Tetrahedralization& result = reply.Result;
   EXPECT_TRUE(result.Kept.empty());
-  std::vector<int> uses(result.Surface.Facets.size(), 0);
-  for (const auto& constraints : result.Constraints)
-  {
-    for (const int facet : constraints)
-    {
-      if (facet >= 0)
-      {
-        ++uses[facet];
-      }
-    }
-  }
+  const std::vector<int> uses = checks::CountFaces(result);
   EXPECT_EQ(std::count(uses.begin(), uses.end(), 0), 0);
   // The area of overlapping triangles counts once per given triangle.
   const auto area = [](const std::vector<Point>& points, const Triangle& t)
@@ -139,13 +127,12 @@ TEST(Strategies, SplitTrianglesIfNecessary)
 // AUTO.
 TEST(Strategies, EndInEnclosingWhereTetGenFails)
 {
-  const HelperRun exact = RunWith(NeedsEnclosing(), Conformity::Exact, Patience);
+  const HelperRun exact = RunHelper(MakeJob(NeedsEnclosing(), Conformity::Exact, Patience));
   EXPECT_FALSE(exact.Succeeded());
   EXPECT_NE(exact.Reply.Error.find("TetGen -pcM"), std::string::npos) << exact.Reply.Error;
-  const HelperRun any = RunWith(NeedsEnclosing(), Conformity::Auto);
-  ASSERT_TRUE(any.Succeeded()) << any.Reply.Error;
-  EXPECT_EQ(any.Reply.Strategy, "Delaunay, enclosing");
-  EXPECT_NE(any.Reply.Attempts, "");
+  const Reply any = GetReply(MakeJob(NeedsEnclosing(), Conformity::Auto));
+  EXPECT_EQ(any.Strategy, "Delaunay, enclosing");
+  EXPECT_NE(any.Attempts, "");
 }
 
 // The strategy does not depend on the time that the machine spends on other work.
@@ -193,30 +180,29 @@ TEST(Strategies, EndAttemptsByTheUsersClock)
 // Where TetGen fails otherwise, points are moved, by no more than SnapTolerance.
 TEST(Strategies, SnapIfAllowed)
 {
-  EXPECT_FALSE(RunWith(NeedsSnapping(), Conformity::Exact).Succeeded());
+  EXPECT_FALSE(RunHelper(MakeJob(NeedsSnapping(), Conformity::Exact)).Succeeded());
   Job job;
   job.Mesh = NeedsSnapping();
   for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
   {
     job.Conformity = conformity;
     job.SnapTolerance = 1e-6;
-    const HelperRun run = RunHelper(job);
-    ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-    EXPECT_EQ(run.Reply.Strategy.find("TetGen -pcY, snapped"), 0u) << run.Reply.Strategy;
-    EXPECT_NE(run.Reply.Attempts, "");
-    EXPECT_TRUE(run.Reply.Result.Kept.empty());
-    EXPECT_GT(run.Reply.SnapDistance, 0.0);
+    const Reply reply = GetReply(job);
+    EXPECT_EQ(reply.Strategy.find("TetGen -pcY, snapped"), 0u) << reply.Strategy;
+    EXPECT_NE(reply.Attempts, "");
+    EXPECT_TRUE(reply.Result.Kept.empty());
+    EXPECT_GT(reply.SnapDistance, 0.0);
     const double diagonal =
       std::sqrt(12.0) * (1.0 + 1e-12); // at most that of the cube around the sphere
-    EXPECT_LE(run.Reply.SnapDistance, job.SnapTolerance * diagonal);
-    const ResolvedMesh& surface = run.Reply.Result.Surface;
+    EXPECT_LE(reply.SnapDistance, job.SnapTolerance * diagonal);
+    const ResolvedMesh& surface = reply.Result.Surface;
     const TriangleMesh sphere = models::Sphere(1);
     EXPECT_EQ(surface.Facets.size(), sphere.Triangles.size()); // the two surfaces are merged
     for (std::size_t i = 0; i < surface.Points.size(); ++i)
     {
       ASSERT_GE(surface.PointSources[i], 0);
-      EXPECT_LE(Length(surface.Points[i] - job.Mesh.Points[surface.PointSources[i]]),
-        run.Reply.SnapDistance);
+      EXPECT_LE(
+        Length(surface.Points[i] - job.Mesh.Points[surface.PointSources[i]]), reply.SnapDistance);
     }
   }
 }
@@ -229,14 +215,13 @@ TEST(Strategies, MoveNothingUnnecessarily)
   {
     Job job;
     job.Mesh = mesh;
-    const HelperRun without = RunHelper(job);
+    const Reply without = GetReply(job);
     job.SnapTolerance = 1e-3;
-    const HelperRun with = RunHelper(job);
-    ASSERT_TRUE(without.Succeeded() && with.Succeeded());
-    EXPECT_EQ(with.Reply.Strategy, without.Reply.Strategy);
-    EXPECT_EQ(with.Reply.SnapDistance, 0.0);
-    EXPECT_EQ(with.Reply.Result.Surface.Points, without.Reply.Result.Surface.Points);
-    EXPECT_EQ(with.Reply.Result.Cells, without.Reply.Result.Cells);
+    const Reply with = GetReply(job);
+    EXPECT_EQ(with.Strategy, without.Strategy);
+    EXPECT_EQ(with.SnapDistance, 0.0);
+    EXPECT_EQ(with.Result.Surface.Points, without.Result.Surface.Points);
+    EXPECT_EQ(with.Result.Cells, without.Result.Cells);
   }
 }
 
@@ -247,12 +232,10 @@ TEST(Strategies, ContinueWhereSnappingFails)
   job.Mesh = NeedsSnapping();
   job.SnapTolerance = 1e-30; // no two doubles near 1 are so close
   job.Conformity = Conformity::Auto;
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  EXPECT_EQ(run.Reply.Strategy, "Delaunay, enclosing");
-  EXPECT_EQ(run.Reply.SnapDistance, 0.0);
-  EXPECT_NE(run.Reply.Attempts.find("Snapping: on a grid of"), std::string::npos)
-    << run.Reply.Attempts;
+  const Reply reply = GetReply(job);
+  EXPECT_EQ(reply.Strategy, "Delaunay, enclosing");
+  EXPECT_EQ(reply.SnapDistance, 0.0);
+  EXPECT_NE(reply.Attempts.find("Snapping: on a grid of"), std::string::npos) << reply.Attempts;
 }
 
 // Overlapping tetrahedra are rejected, and the next order is tried. (TetGen produces them for these
@@ -263,9 +246,8 @@ TEST(Strategies, RejectOverlappingCells)
   job.Mesh = models::Joined(models::Flipped(models::Box({ 0, 1, 2 }, { 3, 3, 5 })),
     models::Joined(models::Box({ 3, 2, 3 }, { 5, 3, 6 }), models::Box({ 1, 3, 3 }, { 3, 4, 4 })));
   job.Initial = InitialApproximation::BoundingBox;
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  Tetrahedralization result = run.Reply.Result;
+  const Reply reply = GetReply(job);
+  Tetrahedralization result = reply.Result;
   EXPECT_TRUE(FindAdjacency(result)); // no face has three cells
   EXPECT_GT(checks::SixVolume(result), 0.0);
 }
@@ -275,7 +257,7 @@ TEST(Strategies, RefuseMeshesWithoutVolume)
 {
   for (const Conformity conformity : { Conformity::Exact, Conformity::Enclosing, Conformity::Auto })
   {
-    const HelperRun run = RunWith(models::Sheet(2), conformity);
+    const HelperRun run = RunHelper(MakeJob(models::Sheet(2), conformity));
     EXPECT_FALSE(run.Succeeded());
     EXPECT_NE(run.Reply.Error.find("in one plane"), std::string::npos) << run.Reply.Error;
   }

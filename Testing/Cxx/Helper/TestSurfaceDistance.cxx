@@ -2,6 +2,7 @@
 #include "Checks.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Enclosing/SurfaceDistance.h"
+#include "Helper/Resolve/Clean.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -16,14 +17,6 @@ using namespace carving::helper;
 namespace
 {
 
-ResolvedMesh AsMesh(const TriangleMesh& mesh)
-{
-  ResolvedMesh result;
-  result.Points = mesh.Points;
-  result.Facets = mesh.Triangles;
-  return result;
-}
-
 /** The largest distance between a mesh and the points of a grid on a triangle. */
 double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& t)
 {
@@ -34,11 +27,7 @@ double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& 
     for (int j = 0; j <= N - i; ++j)
     {
       const double a = i / double(N), b = j / double(N), c = 1.0 - a - b;
-      Point p;
-      for (int k = 0; k < 3; ++k)
-      {
-        p[k] = a * t[0][k] + b * t[1][k] + c * t[2][k];
-      }
+      const Point p = a * t[0] + b * t[1] + c * t[2];
       farthest = std::max(farthest, checks::DistanceTo(mesh.Points, mesh.Triangles, p));
     }
   }
@@ -51,7 +40,7 @@ double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& 
 TEST(SurfaceDistance, IsTheHeightAboveAPlane)
 {
   const SurfaceDistance distance(
-    AsMesh({ { { -9, -9, 0 }, { 9, -9, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } }));
+    AsResolved({ { { -9, -9, 0 }, { 9, -9, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } }));
   const SurfaceDistance::Corners triangle = { { { 0, 0, 0.1 }, { 1, 0, 0.2 }, { 0, 1, 0.5 } } };
   EXPECT_NEAR(distance.Farthest(triangle, 1e-3), 0.5, 0.05 * 0.5);
   EXPECT_EQ(distance.Farthest(triangle, 0.7), 0.7);
@@ -63,8 +52,8 @@ TEST(SurfaceDistance, IsTheHeightAboveAPlane)
 TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
 {
   std::mt19937_64 random(5);
-  const auto draw = [&random](double size)
-  { return size * (static_cast<double>(random() % 2001) / 1000.0 - 1.0); };
+  const auto draw = [&random] { return static_cast<double>(random() % 2001) / 1000.0 - 1.0; };
+  const auto drawPoint = [&draw] { return Point{ draw(), draw(), draw() }; };
   for (int i = 0; i < 30; ++i)
   {
     SCOPED_TRACE("triangle " + std::to_string(i));
@@ -73,19 +62,19 @@ TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
     TriangleMesh mesh;
     for (int k = 0; k < 6; ++k)
     {
-      const Point at = { draw(1), draw(1), draw(1) };
+      const Point at = drawPoint();
       if (k < 3)
       {
         triangle[k] = at;
       }
       const int first = static_cast<int>(mesh.Points.size());
       mesh.Points.push_back(at);
-      mesh.Points.push_back({ at[0] + draw(0.1), at[1] + draw(0.1), at[2] + draw(0.1) });
-      mesh.Points.push_back({ at[0] + draw(0.1), at[1] + draw(0.1), at[2] + draw(0.1) });
+      mesh.Points.push_back(at + 0.1 * drawPoint());
+      mesh.Points.push_back(at + 0.1 * drawPoint());
       mesh.Triangles.push_back({ first, first + 1, first + 2 });
     }
     const double expected = FarthestOfGrid(mesh, triangle);
-    const SurfaceDistance distance(AsMesh(mesh));
+    const SurfaceDistance distance(AsResolved(mesh));
     // The grid underestimates the distance by less than its spacing.
     const double spacing = 4.0 / 40.0;
     const double farthest = distance.Farthest(triangle, 1e-3);

@@ -23,13 +23,6 @@ using namespace carving;
 namespace
 {
 
-Carved CarveMesh(const TriangleMesh& mesh)
-{
-  const HelperRun run = RunHelper(mesh);
-  EXPECT_TRUE(run.Succeeded()) << run.Reply.Error;
-  return CarveResult(run.Reply.Result);
-}
-
 /** Expects the right topology at the steps of ten levels. */
 Profile ExpectTopologyOfTenSteps(const Carved& carved)
 {
@@ -63,7 +56,7 @@ TriangleMesh NestedShells(const std::vector<double>& radii)
 TEST(Topology, OfCheese)
 {
   const TriangleMesh mesh = ReadRealMesh("cheese.off");
-  const Carved carved = CarveMesh(mesh);
+  const Carved carved = CarveResult(GetReply(mesh).Result);
   const Profile profile = ExpectTopologyOfTenSteps(carved);
   EXPECT_EQ(profile.Components.back(), 1);
   EXPECT_EQ(profile.Tunnels.back(), GenusOf(mesh));
@@ -81,13 +74,14 @@ TEST(Topology, OfCheese)
 // Bones that cross each other have the Betti numbers of boundary matrices.
 TEST(Topology, OfBones)
 {
-  ExpectTopologyOfTenSteps(CarveMesh(ReadRealMesh("bones.off")));
+  ExpectTopologyOfTenSteps(CarveResult(GetReply(ReadRealMesh("bones.off")).Result));
 }
 
 // Eight spheres end as eight components.
 TEST(Topology, OfEightSpheres)
 {
-  const Profile profile = ExpectTopologyOfTenSteps(CarveMesh(models::EightSpheres()));
+  const Profile profile =
+    ExpectTopologyOfTenSteps(CarveResult(GetReply(models::EightSpheres()).Result));
   EXPECT_EQ(profile.Components.back(), 8);
   EXPECT_EQ(profile.Tunnels.back(), 0);
   EXPECT_EQ(profile.Voids.back(), 0);
@@ -96,8 +90,8 @@ TEST(Topology, OfEightSpheres)
 // Two nested shells around a ball have three components and two voids.
 TEST(Topology, OfNestedShells)
 {
-  const Profile profile =
-    ExpectTopologyOfTenSteps(CarveMesh(NestedShells({ 3.0, 2.6, 2.2, 1.8, 1.0 })));
+  const Profile profile = ExpectTopologyOfTenSteps(
+    CarveResult(GetReply(NestedShells({ 3.0, 2.6, 2.2, 1.8, 1.0 })).Result));
   EXPECT_EQ(profile.Components.back(), 3);
   EXPECT_EQ(profile.Tunnels.back(), 0);
   EXPECT_EQ(profile.Voids.back(), 2);
@@ -121,9 +115,8 @@ TEST(Topology, OfContoursCountsHoles)
     }
     sign = -sign;
   }
-  const HelperRun run = RunHelper(job);
-  ASSERT_TRUE(run.Succeeded()) << run.Reply.Error;
-  const Decomposition<2>& mesh = run.Reply.Plane;
+  const Reply reply = GetReply(job);
+  const Decomposition<2>& mesh = reply.Plane;
   const Classification regions = Classify(mesh);
   Stream stream;
   Carve(mesh, regions, {}, stream);

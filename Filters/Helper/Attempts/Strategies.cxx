@@ -112,7 +112,7 @@ bool StrategyRun::TryAll()
   this->TheReply.Error = mayEnclose
     ? "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. "
       "Attempts: "
-    : "TetGen does not cope with the mesh. Repair or remove the parts that cross themselves or "
+    : "TetGen cannot tetrahedralize the mesh. Repair or remove the parts that cross themselves or "
       "nearly touch, set Conformity to AUTO, set SnapTolerance, or raise TimeLimit or MemoryLimit "
       "if they are set. Attempts: ";
   this->TheReply.Error += Joined(this->TheReply.Attempts);

@@ -176,7 +176,7 @@ bool MayFail(const std::string& error, int conformity)
 {
   const auto has = [&](const char* words) { return error.find(words) != std::string::npos; };
   return has("All points lie in one plane") || has("No triangle of the mesh has an area") ||
-    (conformity == vtkTopologyCarver::EXACT && has("TetGen does not cope with the mesh"));
+    (conformity == vtkTopologyCarver::EXACT && has("TetGen cannot tetrahedralize the mesh"));
 }
 
 } // namespace

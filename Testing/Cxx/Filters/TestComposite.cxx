@@ -7,7 +7,6 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -145,4 +144,28 @@ TEST(Composite, FollowsTheTypeOfTheInput)
     EXPECT_TRUE(carver->GetOutputDataObject(1)->IsA("vtkUnstructuredGrid"));
     EXPECT_TRUE(carver->GetOutputDataObject(2)->IsA("vtkTable"));
   }
+}
+
+// The same extractor takes a single stream after a composite, and a composite after a stream.
+TEST(Composite, LetsTheExtractorFollowTheTypeOfTheInput)
+{
+  const auto carver = Carve(TwoBoxes());
+  vtkNew<vtkMultiBlockDataSet> scene;
+  scene->SetBlock(0, GetStream(carver));
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetLevelTarget(1e9);
+  for (int i = 0; i < 2; ++i)
+  {
+    extract->SetInputDataObject(scene);
+    extract->Update();
+    auto* levels = vtkMultiBlockDataSet::SafeDownCast(extract->GetOutputDataObject(0));
+    ASSERT_TRUE(levels);
+    ExpectEqualData(levels->GetBlock(0), LastLevel(carver));
+    extract->SetInputDataObject(GetStream(carver));
+    extract->Update();
+    ASSERT_TRUE(extract->GetOutput());
+    ExpectEqualData(extract->GetOutput(), LastLevel(carver));
+  }
+  EXPECT_TRUE(messages.Errors.empty());
 }

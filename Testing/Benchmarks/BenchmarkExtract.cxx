@@ -4,12 +4,9 @@
  * The time to extract a level from a stored stream of about 150,000 tetrahedra.
  */
 #include "Figures.h"
-#include "vtkCellArray.h"
+#include "PolyData.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -23,23 +20,8 @@ vtkUnstructuredGrid* GetStream()
 {
   static const vtkSmartPointer<vtkUnstructuredGrid> stream = []
   {
-    const carving::TriangleMesh tree = models::Tree(4800);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (const carving::Point& p : tree.Points)
-    {
-      points->InsertNextPoint(p.data());
-    }
-    vtkNew<vtkCellArray> triangles;
-    for (const auto& [a, b, c] : tree.Triangles)
-    {
-      triangles->InsertNextCell({ a, b, c });
-    }
-    vtkNew<vtkPolyData> mesh;
-    mesh->SetPoints(points);
-    mesh->SetPolys(triangles);
     vtkNew<vtkTopologyCarver> carver;
-    carver->SetInputData(mesh);
+    carver->SetInputData(ToPolyData(models::Tree(4800)));
     carver->Update();
     auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
     copy->DeepCopy(carver->GetOutputDataObject(1));

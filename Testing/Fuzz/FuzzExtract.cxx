@@ -9,16 +9,13 @@
 #include "Convert/StreamOutput.h"
 #include "Decompositions.h"
 #include "GridDamage.h"
+#include "PolyData.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -74,14 +71,7 @@ void Extract(Bytes& bytes, vtkUnstructuredGrid* grid)
 template <int D>
 void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkPolyData> input;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& point : carved.Stored.Mesh.Surface.Points)
-  {
-    points->InsertNextPoint(point.data());
-  }
-  input->SetPoints(points);
+  const auto input = ToPolyData({ carved.Stored.Mesh.Surface.Points, {} });
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
   std::iota(cellIds.begin(), cellIds.end(), 0);
   FillStream(carved.Stored, carved.Profile, input, cellIds, grid);

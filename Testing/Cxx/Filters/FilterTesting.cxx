@@ -5,7 +5,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
@@ -160,23 +159,15 @@ std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* me
   return result;
 }
 
-vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh)
+void SetGhosts(vtkPolyData* mesh, const std::function<int(vtkIdType)>& typeOf)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const carving::Point& p : mesh.Points)
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
   {
-    points->InsertNextPoint(p.data());
+    ghosts->InsertNextValue(static_cast<unsigned char>(typeOf(i)));
   }
-  vtkNew<vtkCellArray> polys;
-  for (const auto& [a, b, c] : mesh.Triangles)
-  {
-    polys->InsertNextCell({ a, b, c });
-  }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(points);
-  result->SetPolys(polys);
-  return result;
+  mesh->GetCellData()->AddArray(ghosts);
 }
 
 vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name)
@@ -190,19 +181,17 @@ vtkSmartPointer<vtkPolyData> TwoBoxes()
     models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 })));
 }
 
-vtkSmartPointer<vtkTopologyCarver> Carve(vtkDataObject* input, int levels)
-{
-  auto carver = vtkSmartPointer<vtkTopologyCarver>::New();
-  Messages messages(carver);
-  carver->SetNumberOfLevels(levels);
-  Carve(carver, input);
-  EXPECT_TRUE(messages.Errors.empty()) << messages.Errors.front();
-  return carver;
-}
-
 void Carve(vtkCarverAlgorithm* carver, vtkDataObject* input)
 {
   carver->SetInputDataObject(input);
+  carver->Update();
+}
+
+void CarveTo(vtkCarverAlgorithm* carver, int type, double target)
+{
+  carver->SetLevelTargetType(type);
+  carver->ClearLevelTargets();
+  carver->AddLevelTarget(target);
   carver->Update();
 }
 
@@ -341,30 +330,21 @@ OtherHelper::OtherHelper(const std::string& path)
   setenv(HelperVariable, path.c_str(), 1);
 }
 
-OtherHelper::OtherHelper(OtherHelper&& other) noexcept
-  : ScriptPath(std::move(other.ScriptPath))
-{
-  other.Owner = false;
-}
-
 OtherHelper::~OtherHelper()
 {
-  if (this->Owner)
+  unsetenv(HelperVariable);
+  if (!this->ScriptPath.empty())
   {
-    unsetenv(HelperVariable);
-    if (!this->ScriptPath.empty())
-    {
-      std::remove(this->ScriptPath.c_str());
-    }
+    std::remove(this->ScriptPath.c_str());
   }
 }
 
-OtherHelper OtherHelper::Script(const std::string& commands)
+std::unique_ptr<OtherHelper> OtherHelper::Script(const std::string& commands)
 {
   const std::string path = testing::TempDir() + "other-helper-" + std::to_string(getpid()) + ".sh";
   std::ofstream(path) << "#!/bin/sh\n" << commands << "\n";
   chmod(path.c_str(), 0700);
-  OtherHelper helper(path);
-  helper.ScriptPath = path;
+  auto helper = std::make_unique<OtherHelper>(path);
+  helper->ScriptPath = path;
   return helper;
 }

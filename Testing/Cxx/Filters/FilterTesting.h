@@ -6,16 +6,17 @@
 #ifndef FilterTesting_h
 #define FilterTesting_h
 
+#include "PolyData.h"
 #include "Shapes.h"
 
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
+#include "vtkCommand.h"
 #include "vtkTopologyCarver.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,17 +24,16 @@
 class vtkTable;
 class vtkUnstructuredGrid;
 
-vtkSmartPointer<vtkPolyData> ToPolyData(const carving::TriangleMesh& mesh);
 /** A mesh that the test FetchMeshes has fetched. */
 vtkSmartPointer<vtkPolyData> ReadReal(const std::string& name);
 /** Two boxes with a gap between them: the simplest mesh with tetrahedra to carve. */
 vtkSmartPointer<vtkPolyData> TwoBoxes();
 
-/** Carves into a number of levels, and expects no error. */
-vtkSmartPointer<vtkTopologyCarver> Carve(vtkDataObject* input, int levels = 8);
 /** Carves by the properties of the carver. */
 void Carve(vtkCarverAlgorithm* carver, vtkDataObject* input);
 
+/** Carves into the level for one target. */
+void CarveTo(vtkCarverAlgorithm* carver, int type, double target);
 /** Carves, and expects a single error and no level. Returns the error. */
 std::string CarveWithError(vtkCarverAlgorithm* carver, vtkDataObject* input);
 
@@ -91,8 +91,61 @@ private:
   std::vector<std::string> All; ///< including those that a test has cleared
 };
 
+/** Carves into a number of levels, and expects no error. */
+template <class Carver = vtkTopologyCarver>
+vtkSmartPointer<Carver> Carve(vtkDataObject* input, int levels = 8)
+{
+  auto carver = vtkSmartPointer<Carver>::New();
+  Messages messages(carver);
+  carver->SetNumberOfLevels(levels);
+  Carve(carver, input);
+  EXPECT_TRUE(messages.Errors.empty()) << messages.Errors.front();
+  return carver;
+}
+
+/** Sets the ghost type of every cell. */
+void SetGhosts(vtkPolyData* mesh, const std::function<int(vtkIdType)>& typeOf);
+
 /** The triangles of a mesh by coordinates, rotated so that the smallest corner comes first. */
 std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* mesh);
+
+/** During its lifetime, aborts a filter once it has reported a stage a number of times. */
+class Aborter
+{
+public:
+  Aborter(vtkCarverAlgorithm* carver, const std::string& stage, int reports = 1)
+    : Carver(carver)
+    , Stage(stage)
+    , Reports(reports)
+    , Tag(carver->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
+  {
+  }
+  ~Aborter()
+  {
+    this->Carver->RemoveObserver(this->Tag);
+  }
+
+  /** Negative if the filter went on after the abort. */
+  int GetReportsLeft() const
+  {
+    return this->Reports;
+  }
+
+private:
+  void Abort()
+  {
+    const char* stage = this->Carver->GetProgressText();
+    if (stage && this->Stage == stage && --this->Reports <= 0)
+    {
+      this->Carver->SetAbortExecute(1);
+    }
+  }
+
+  vtkCarverAlgorithm* Carver;
+  std::string Stage;
+  int Reports;
+  unsigned long Tag;
+};
 
 /** During its lifetime, the filters run another program instead of the helper program. */
 class OtherHelper
@@ -102,14 +155,12 @@ public:
   ~OtherHelper();
 
   /** Makes a shell script the helper program; the file is removed with this object. */
-  static OtherHelper Script(const std::string& commands);
-  OtherHelper(OtherHelper&& other) noexcept;
+  static std::unique_ptr<OtherHelper> Script(const std::string& commands);
   OtherHelper(const OtherHelper&) = delete;
   void operator=(const OtherHelper&) = delete;
 
 private:
   std::string ScriptPath;
-  bool Owner = true;
 };
 
 #endif

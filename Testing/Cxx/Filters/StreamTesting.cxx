@@ -3,15 +3,10 @@
 
 #include "ContourTesting.h"
 #include "Convert/ArrayTools.h"
-#include "FilterTesting.h"
 
-#include "vtkContourCarver.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtractCarvedLOD.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkTopologyCarver.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 

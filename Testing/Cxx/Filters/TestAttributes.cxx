@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/ArrayTools.h"
 #include "FilterTesting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -98,13 +96,9 @@ TEST(Attributes, InterpolatesPointDataAtNewPoints)
 TEST(Attributes, CarriesCellData)
 {
   auto input = TwoBoxes();
-  vtkNew<vtkIntArray> part;
-  part->SetName("Part");
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
-  {
-    part->InsertNextValue(static_cast<int>(100 + i));
-  }
-  input->GetCellData()->AddArray(part);
+  std::vector<int> parts(input->GetNumberOfCells());
+  std::iota(parts.begin(), parts.end(), 100);
+  AddFieldArray<vtkIntArray>(input->GetCellData(), "Part", parts);
   const auto carver = Carve(input, 2);
   for (int l = 0; l < 2; ++l)
   {
@@ -169,13 +163,7 @@ TEST(Attributes, CountsCellsAsTheInputDoes)
 TEST(Attributes, SkipsGhostCells)
 {
   auto input = TwoBoxes();
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
-  {
-    ghosts->InsertNextValue(i < 12 ? 0 : vtkDataSetAttributes::DUPLICATECELL);
-  }
-  input->GetCellData()->AddArray(ghosts);
+  SetGhosts(input, [](vtkIdType i) { return i < 12 ? 0 : vtkDataSetAttributes::DUPLICATECELL; });
   const auto carver = Carve(input, 1);
   EXPECT_EQ(GetLevel(carver, 0)->GetNumberOfPolys(), 12);
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[1], 1.0);
@@ -188,12 +176,11 @@ TEST(Attributes, DescribesLevels)
   for (int l = 0; l < 2; ++l)
   {
     vtkPolyData* level = GetLevel(carver, l);
-    vtkFieldData* data = level->GetFieldData();
-    EXPECT_EQ(data->GetArray("Vertices")->GetTuple1(0), level->GetNumberOfPoints());
-    EXPECT_EQ(data->GetArray("Triangles")->GetTuple1(0), level->GetNumberOfPolys());
-    EXPECT_EQ(data->GetArray("NewVertices")->GetTuple1(0), 0);
-    EXPECT_EQ(vtkStringArray::SafeDownCast(data->GetAbstractArray("Kind"))->GetValue(0), "carved");
-    EXPECT_NE(data->GetAbstractArray("Strategy"), nullptr);
+    EXPECT_EQ(GetFieldValue(level, "Vertices"), level->GetNumberOfPoints());
+    EXPECT_EQ(GetFieldValue(level, "Triangles"), level->GetNumberOfPolys());
+    EXPECT_EQ(GetFieldValue(level, "NewVertices"), 0);
+    EXPECT_EQ(GetFieldText(level, "Kind"), "carved");
+    EXPECT_NE(GetFieldText(level, "Strategy"), "");
   }
   EXPECT_TRUE(std::isinf(GetFieldValue(GetLevel(carver, 0), "FeatureSize")));
   // The longest edge of each tetrahedron in the gap is at least a diagonal of a side, at most of

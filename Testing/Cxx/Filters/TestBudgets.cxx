@@ -6,14 +6,10 @@
 #include "FilterTesting.h"
 #include "RandomModels.h"
 
-#include "vtkDataArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFeatureEdges.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyDataConnectivityFilter.h"
-#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -255,19 +251,8 @@ TEST(CarvingProperties, LimitTheNumberOfLevels)
   carver->SetInputData(ReadReal("bones.off"));
   carver->SetNumberOfLevels(10'000'000);
   EXPECT_EQ(carver->GetNumberOfLevels(), 1000);
-  int reports = 0;
-  const auto abort = [&]
-  {
-    const char* stage = carver->GetProgressText();
-    reports += stage && std::string(stage) == "output";
-    carver->SetAbortExecute(reports > 20);
-  };
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(const_cast<void*>(static_cast<const void*>(&abort)));
-  observer->SetCallback(
-    [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<decltype(abort)*>(data))(); });
-  carver->AddObserver(vtkCommand::ProgressEvent, observer);
+  const Aborter aborter(carver, "output", 21);
   carver->Update();
-  EXPECT_EQ(reports, 21);
+  EXPECT_EQ(aborter.GetReportsLeft(), 0);
   EXPECT_EQ(CountLevels(carver), 0);
 }

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/ArrayTools.h"
 #include "FilterTesting.h"
 
 #include "RandomModels.h"
-#include "Shapes.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkExtractCarvedLOD.h"
-#include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkStringArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -32,13 +25,7 @@ vtkSmartPointer<vtkPolyData> Crossing()
     { -2, -2, -3 }, { 6, -2, -3 }, { -2, 6, -3 } };
   mesh.Triangles = { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } };
   vtkSmartPointer<vtkPolyData> data = ToPolyData(mesh);
-  vtkNew<vtkIntArray> colors;
-  colors->SetName("Color");
-  for (const int color : { 7, 8, 9 })
-  {
-    colors->InsertNextValue(color);
-  }
-  data->GetCellData()->AddArray(colors);
+  AddFieldArray<vtkIntArray>(data->GetCellData(), "Color", std::vector<int>{ 7, 8, 9 });
   return data;
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContourTesting.h"
-#include "FilterTesting.h"
+#include "Convert/ArrayTools.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtractCarvedLOD.h"
-#include "vtkFieldData.h"
 #include "vtkLine.h"
 #include "vtkMath.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 #include "vtkTriangle.h"
@@ -58,9 +55,8 @@ double DistanceToEdges(vtkPolyData* contours, const double p[3])
 // The first level of a U is its hull, the last the U itself.
 TEST(ContourCarver, GoesFromTheHullToTheInput)
 {
-  vtkNew<vtkContourCarver> carver;
   auto input = Polygons({ LetterU() });
-  Carve(carver, input);
+  const auto carver = Carve<vtkContourCarver>(input);
   // The upper side of the hull passes through the four upper corners of the arms.
   const EdgeSet hull = Edges(
     Polygons({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { 0, 2, 0 } } }));
@@ -71,17 +67,15 @@ TEST(ContourCarver, GoesFromTheHullToTheInput)
 // Whatever the direction of a polygon, its inside is solid and on the left of the edges.
 TEST(ContourCarver, OrientsLevelsOutward)
 {
-  vtkNew<vtkContourCarver> carver;
-  Carve(carver, Polygons({ Reversed(LetterU()) }));
+  const auto carver = Carve<vtkContourCarver>(Polygons({ Reversed(LetterU()) }));
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
 }
 
 // The hole of a square is carved, and stays filled without CarveVoids.
 TEST(ContourCarver, CarvesHoles)
 {
-  vtkNew<vtkContourCarver> carver;
   auto input = Polygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
-  Carve(carver, input);
+  const auto carver = Carve<vtkContourCarver>(input);
   EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   carver->CarveVoidsOff();
@@ -93,9 +87,8 @@ TEST(ContourCarver, CarvesHoles)
 // stays filled.
 TEST(ContourCarver, KeepsToBudgets)
 {
-  vtkNew<vtkContourCarver> carver;
   auto input = Polygons({ Rectangle(0, 0, 1, 1), Rectangle(3, 0, 4, 1) });
-  Carve(carver, input);
+  const auto carver = Carve<vtkContourCarver>(input);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   carver->SetMaximumComponents(1);
   carver->Update();
@@ -110,8 +103,8 @@ TEST(ContourCarver, KeepsToBudgets)
 // as a surface.
 TEST(ContourCarver, FollowsTheSolidRule)
 {
-  vtkNew<vtkContourCarver> carver;
-  Carve(carver, Polygons({ Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 2) }));
+  const auto carver =
+    Carve<vtkContourCarver>(Polygons({ Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(Area(LastLevel(carver)), 16.0);
   carver->SetSolidRule(vtkContourCarver::EVEN_ODD);
   carver->Update();
@@ -127,13 +120,7 @@ TEST(ContourCarver, FollowsTheSolidRule)
 TEST(ContourCarver, ResolvesCrossings)
 {
   auto input = Polylines({ { { 0, 0, 0 }, { 2, 2, 0 } }, { { 0, 2, 0 }, { 2, 0, 0 } } });
-  vtkNew<vtkDoubleArray> heights;
-  heights->SetName("Height");
-  for (const double height : { 1.0, 3.0, 2.0, 2.0 })
-  {
-    heights->InsertNextValue(height);
-  }
-  input->GetPointData()->AddArray(heights);
+  AddFieldArray<vtkDoubleArray>(input->GetPointData(), "Height", std::vector<double>{ 1, 3, 2, 2 });
   vtkNew<vtkContourCarver> carver;
   carver->ManifoldOutputOff();
   Carve(carver, input);
@@ -213,8 +200,8 @@ TEST(ContourCarver, CutsIntoClosedLoops)
 // corner.
 TEST(ContourCarver, CutsTouchingSquaresApart)
 {
-  vtkNew<vtkContourCarver> carver;
-  Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
+  const auto carver =
+    Carve<vtkContourCarver>(Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 8);
   EXPECT_EQ(GetFieldValue(LastLevel(carver), "Vertices"), 7);
   EXPECT_EQ(GetFieldValue(LastLevel(carver), "SurfaceComponents"), 2);
@@ -230,8 +217,7 @@ TEST(ContourCarver, CutsTouchingSquaresApart)
 // vtkExtractCarvedLOD gives every level from the stream, bit for bit.
 TEST(ContourCarver, StreamsToTheExtractor)
 {
-  vtkNew<vtkContourCarver> carver;
-  Carve(carver, Medley());
+  const auto carver = Carve<vtkContourCarver>(Medley());
   EXPECT_EQ(CountLevels(carver), 8);
   ExpectSameLevelsFromStream(carver);
 }

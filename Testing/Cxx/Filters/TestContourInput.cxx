@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The inputs that vtkContourCarver accepts and rejects.
 #include "ContourTesting.h"
-#include "FilterTesting.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -46,10 +42,7 @@ TEST(ContourInput, WorksInAnyPlane)
   for (const auto& [u, v] : directions)
   {
     auto input = Polygons({ Mapped(letterL, u, v), Mapped(hole, u, v) });
-    vtkNew<vtkContourCarver> carver;
-    Messages messages(carver);
-    Carve(carver, input);
-    ASSERT_TRUE(messages.Errors.empty()) << messages.Errors.front();
+    const auto carver = Carve<vtkContourCarver>(input);
     EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Mapped(hull, u, v) })));
     EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   }
@@ -146,15 +139,8 @@ TEST(ContourInput, PassesOverWhatIsNoContour)
   input->SetVerts(verts);
   strips->InsertNextCell({ 0, 1, 2, 3 });
   input->SetStrips(strips);
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (const int type : { 0, 0, static_cast<int>(vtkDataSetAttributes::DUPLICATECELL), 0 })
-  {
-    ghosts->InsertNextValue(static_cast<unsigned char>(type));
-  }
-  input->GetCellData()->AddArray(ghosts);
-  vtkNew<vtkContourCarver> carver;
-  Carve(carver, input);
+  SetGhosts(input, [](vtkIdType i) { return i == 2 ? vtkDataSetAttributes::DUPLICATECELL : 0; });
+  const auto carver = Carve<vtkContourCarver>(input);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
   EXPECT_TRUE(Has(GetNotes(carver), "2 cells were ignored"));
 }

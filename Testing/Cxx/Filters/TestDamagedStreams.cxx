@@ -25,7 +25,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-enum class Place
+enum Place
 {
   Points,
   Cells,
@@ -34,9 +34,9 @@ enum class Place
 
 vtkFieldData* GetData(vtkUnstructuredGrid* stream, Place place)
 {
-  return place == Place::Points ? static_cast<vtkFieldData*>(stream->GetPointData())
-    : place == Place::Cells     ? static_cast<vtkFieldData*>(stream->GetCellData())
-                                : stream->GetFieldData();
+  return place == Points ? static_cast<vtkFieldData*>(stream->GetPointData())
+    : place == Cells     ? static_cast<vtkFieldData*>(stream->GetCellData())
+                         : stream->GetFieldData();
 }
 
 struct Name
@@ -46,16 +46,13 @@ struct Name
 };
 
 /** All arrays on which the levels, or their selection, depend. */
-const Name AllNames[] = { { Place::Points, "vtkOriginalPointIds" },
-  { Place::Points, "SnapDistance" }, { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
-  { Place::Cells, "Step" }, { Place::Cells, "Region" }, { Place::Cells, "SolidSides" },
-  { Place::Cells, "vtkOriginalCellIds" }, { Place::Field, "PriorityMeasure" },
-  { Place::Field, "KeepBothFoldSides" }, { Place::Field, "Strategy" },
-  { Place::Field, "KeptDistance" }, { Place::Field, "SnapDistance" },
-  { Place::Field, "ProfileVertices" }, { Place::Field, "ProfileTriangles" },
-  { Place::Field, "ProfileComponents" }, { Place::Field, "ProfileTunnels" },
-  { Place::Field, "ProfileVoids" }, { Place::Field, "ProfileVolume" },
-  { Place::Field, "ProfilePriority" }, { Place::Field, "ProfileError" } };
+const Name AllNames[] = { { Points, "vtkOriginalPointIds" }, { Points, "SnapDistance" },
+  { Cells, "Priority" }, { Cells, "Depth" }, { Cells, "Step" }, { Cells, "Region" },
+  { Cells, "SolidSides" }, { Cells, "vtkOriginalCellIds" }, { Field, "PriorityMeasure" },
+  { Field, "KeepBothFoldSides" }, { Field, "Strategy" }, { Field, "KeptDistance" },
+  { Field, "SnapDistance" }, { Field, "ProfileVertices" }, { Field, "ProfileTriangles" },
+  { Field, "ProfileComponents" }, { Field, "ProfileTunnels" }, { Field, "ProfileVoids" },
+  { Field, "ProfileVolume" }, { Field, "ProfilePriority" }, { Field, "ProfileError" } };
 
 /** A copy of the stream without an array, and a copy of that array. */
 struct Taken
@@ -136,7 +133,7 @@ TEST(DamagedStreams, AreRefusedForArraysOfAnotherLength)
 // An array of the input that a filter has shortened is named, since levels would pass it on.
 TEST(DamagedStreams, AreRefusedForDataOfAnotherLength)
 {
-  for (const Place place : { Place::Points, Place::Cells })
+  for (const Place place : { Points, Cells })
   {
     const auto stream = MakeStream();
     vtkNew<vtkStringArray> labels;
@@ -209,13 +206,12 @@ TEST(DamagedStreams, AreRefusedForValuesThatAreNoIntegers)
 {
   const auto whole = MakeStream();
   const vtkIdType facet = whole->GetNumberOfCells() - 1;
-  const std::pair<Name, vtkIdType> places[] = { { { Place::Points, "vtkOriginalPointIds" }, 0 },
-    { { Place::Cells, "Step" }, 0 }, { { Place::Cells, "Region" }, 0 },
-    { { Place::Cells, "SolidSides" }, facet }, { { Place::Cells, "vtkOriginalCellIds" }, facet },
-    { { Place::Field, "PriorityMeasure" }, 0 }, { { Place::Field, "KeepBothFoldSides" }, 0 },
-    { { Place::Field, "ProfileVertices" }, 1 }, { { Place::Field, "ProfileTriangles" }, 1 },
-    { { Place::Field, "ProfileComponents" }, 1 }, { { Place::Field, "ProfileTunnels" }, 1 },
-    { { Place::Field, "ProfileVoids" }, 1 } };
+  const std::pair<Name, vtkIdType> places[] = { { { Points, "vtkOriginalPointIds" }, 0 },
+    { { Cells, "Step" }, 0 }, { { Cells, "Region" }, 0 }, { { Cells, "SolidSides" }, facet },
+    { { Cells, "vtkOriginalCellIds" }, facet }, { { Field, "PriorityMeasure" }, 0 },
+    { { Field, "KeepBothFoldSides" }, 0 }, { { Field, "ProfileVertices" }, 1 },
+    { { Field, "ProfileTriangles" }, 1 }, { { Field, "ProfileComponents" }, 1 },
+    { { Field, "ProfileTunnels" }, 1 }, { { Field, "ProfileVoids" }, 1 } };
   for (const auto& [name, at] : places)
   {
     for (const double value : { NaN, Infinity, -Infinity, 0.5, 1e300, -1e300, 4294967296.0 })
@@ -231,20 +227,15 @@ TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
   const auto whole = MakeStream();
   const vtkIdType facet = whole->GetNumberOfCells() - 1;
   const double steps = whole->GetFieldData()->GetArray("ProfileVertices")->GetNumberOfTuples();
-  const std::tuple<Name, vtkIdType, double> values[] = { { { Place::Cells, "Step" }, 0, 0.0 },
-    { { Place::Cells, "Step" }, 0, -2.0 }, { { Place::Cells, "Step" }, 0, steps },
-    { { Place::Cells, "Region" }, 0, -2.0 }, { { Place::Cells, "SolidSides" }, facet, 4.0 },
-    { { Place::Cells, "SolidSides" }, facet, -1.0 },
-    { { Place::Cells, "vtkOriginalCellIds" }, 0, -2.0 },
-    { { Place::Points, "vtkOriginalPointIds" }, 0, -2.0 },
-    { { Place::Field, "PriorityMeasure" }, 0, 4.0 },
-    { { Place::Field, "PriorityMeasure" }, 0, -1.0 },
-    { { Place::Field, "KeepBothFoldSides" }, 0, 2.0 },
-    { { Place::Field, "ProfileVertices" }, 0, -1.0 },
-    { { Place::Field, "ProfileTriangles" }, 0, -1.0 },
-    { { Place::Field, "ProfileComponents" }, 0, 0.0 },
-    { { Place::Field, "ProfileTunnels" }, 0, -1.0 },
-    { { Place::Field, "ProfileVoids" }, 0, -1.0 } };
+  const std::tuple<Name, vtkIdType, double> values[] = { { { Cells, "Step" }, 0, 0.0 },
+    { { Cells, "Step" }, 0, -2.0 }, { { Cells, "Step" }, 0, steps },
+    { { Cells, "Region" }, 0, -2.0 }, { { Cells, "SolidSides" }, facet, 4.0 },
+    { { Cells, "SolidSides" }, facet, -1.0 }, { { Cells, "vtkOriginalCellIds" }, 0, -2.0 },
+    { { Points, "vtkOriginalPointIds" }, 0, -2.0 }, { { Field, "PriorityMeasure" }, 0, 4.0 },
+    { { Field, "PriorityMeasure" }, 0, -1.0 }, { { Field, "KeepBothFoldSides" }, 0, 2.0 },
+    { { Field, "ProfileVertices" }, 0, -1.0 }, { { Field, "ProfileTriangles" }, 0, -1.0 },
+    { { Field, "ProfileComponents" }, 0, 0.0 }, { { Field, "ProfileTunnels" }, 0, -1.0 },
+    { { Field, "ProfileVoids" }, 0, -1.0 } };
   for (const auto& [name, at, value] : values)
   {
     ExpectValueRefused(whole, name, at, value);
@@ -255,22 +246,21 @@ TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
 TEST(DamagedStreams, AreRefusedForMeasuresThatCannotBe)
 {
   const auto whole = MakeStream();
-  const Name measures[] = { { Place::Cells, "Priority" }, { Place::Cells, "Depth" },
-    { Place::Points, "SnapDistance" }, { Place::Field, "KeptDistance" },
-    { Place::Field, "SnapDistance" }, { Place::Field, "ProfileVolume" },
-    { Place::Field, "ProfilePriority" }, { Place::Field, "ProfileError" } };
+  const Name measures[] = { { Cells, "Priority" }, { Cells, "Depth" }, { Points, "SnapDistance" },
+    { Field, "KeptDistance" }, { Field, "SnapDistance" }, { Field, "ProfileVolume" },
+    { Field, "ProfilePriority" }, { Field, "ProfileError" } };
   for (const Name& name : measures)
   {
     const vtkIdType last = GetData(whole, name.In)->GetArray(name.Text)->GetNumberOfTuples() - 1;
-    const vtkIdType at = name.In == Place::Cells ? 0 : last;
+    const vtkIdType at = name.In == Cells ? 0 : last;
     ExpectValueRefused(whole, name, at, NaN);
     ExpectValueRefused(whole, name, at, -1.0);
   }
-  ExpectValueRefused(whole, { Place::Cells, "Depth" }, 0, Infinity);
-  ExpectValueRefused(whole, { Place::Field, "ProfileError" }, 0, Infinity);
-  ExpectValueRefused(whole, { Place::Field, "ProfilePriority" }, 0, 1.0);
-  ExpectValueRefused(whole, { Place::Field, "ProfileVolume" }, 0, Infinity);
-  ExpectValueRefused(whole, { Place::Field, "ProfileVolume" }, 1, 1e30);
+  ExpectValueRefused(whole, { Cells, "Depth" }, 0, Infinity);
+  ExpectValueRefused(whole, { Field, "ProfileError" }, 0, Infinity);
+  ExpectValueRefused(whole, { Field, "ProfilePriority" }, 0, 1.0);
+  ExpectValueRefused(whole, { Field, "ProfileVolume" }, 0, Infinity);
+  ExpectValueRefused(whole, { Field, "ProfileVolume" }, 1, 1e30);
 }
 
 // Counts that contradict the cells are refused.
@@ -281,7 +271,7 @@ TEST(DamagedStreams, AreRefusedForAProfileOfOtherCells)
     const auto whole = MakeStream(plane);
     for (const char* text : { "ProfileVertices", "ProfileTriangles" })
     {
-      const Name name = { Place::Field, text };
+      const Name name = { Field, text };
       Taken taken(whole, name);
       auto* counts = vtkIntArray::SafeDownCast(taken.Array);
       counts->SetValue(1, counts->GetValue(1) + 1);

@@ -4,14 +4,9 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -60,10 +55,7 @@ TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
     { vtkTopologyCarver::ERROR_BOUND, 0.3 }, { vtkTopologyCarver::STEP, 77 } };
   for (const auto& [type, target] : targets)
   {
-    carver->ClearLevelTargets();
-    carver->SetLevelTargetType(type);
-    carver->AddLevelTarget(target);
-    carver->Update();
+    CarveTo(carver, type, target);
     vtkNew<vtkExtractCarvedLOD> extract;
     extract->SetInputData(CopyStream(carver));
     extract->SetLevelTargetType(type);
@@ -77,15 +69,10 @@ TEST(ExtractCarvedLOD, PicksLevelsAsTheCarverDoes)
 TEST(ExtractCarvedLOD, StopsBeforeAFeatureSize)
 {
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetLevelTargetType(vtkTopologyCarver::FEATURE_SIZE);
-  carver->AddLevelTarget(1.0);
-  Carve(carver, ReadReal("bones.off"));
+  carver->SetInputData(ReadReal("bones.off"));
+  CarveTo(carver, vtkTopologyCarver::FEATURE_SIZE, 1.0);
   EXPECT_GT(GetFieldValue(GetLevel(carver, 0), "FeatureSize"), 1.0);
-  const int next = GetLevelStep(carver, 0) + 1;
-  carver->ClearLevelTargets();
-  carver->SetLevelTargetType(vtkTopologyCarver::STEP);
-  carver->AddLevelTarget(next);
-  carver->Update();
+  CarveTo(carver, vtkTopologyCarver::STEP, GetLevelStep(carver, 0) + 1);
   EXPECT_LE(GetFieldValue(GetLevel(carver, 0), "FeatureSize"), 1.0);
 }
 
@@ -108,17 +95,17 @@ TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
 TEST(ExtractCarvedLOD, RefusesWhatIsNoStream)
 {
   const auto carver = Carve(TwoBoxes());
-  auto withoutSteps = CopyStream(carver);
-  withoutSteps->GetCellData()->RemoveArray("Step");
-  auto withoutProfile = CopyStream(carver);
-  withoutProfile->GetFieldData()->RemoveArray("ProfileVertices");
-  auto withoutSides = CopyStream(carver);
-  withoutSides->GetCellData()->RemoveArray("SolidSides");
-  auto flatCell = CopyStream(carver);
-  vtkDataArray* corners = flatCell->GetCells()->GetConnectivityArray();
+  vtkSmartPointer<vtkUnstructuredGrid> grids[4];
+  for (auto& grid : grids)
+  {
+    grid = CopyStream(carver);
+  }
+  grids[0]->GetCellData()->RemoveArray("Step");
+  grids[1]->GetFieldData()->RemoveArray("ProfileVertices");
+  grids[2]->GetCellData()->RemoveArray("SolidSides");
+  vtkDataArray* corners = grids[3]->GetCells()->GetConnectivityArray();
   corners->SetTuple1(0, corners->GetTuple1(1));
-  for (vtkUnstructuredGrid* grid :
-    { withoutSteps.Get(), withoutProfile.Get(), withoutSides.Get(), flatCell.Get() })
+  for (const auto& grid : grids)
   {
     vtkNew<vtkExtractCarvedLOD> extract;
     Messages messages(extract);

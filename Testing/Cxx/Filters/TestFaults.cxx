@@ -3,8 +3,6 @@
 #include "Leftovers.h"
 #include "RandomModels.h"
 
-#include "vtkCommand.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>
@@ -28,16 +26,14 @@ void ExpectLevels(vtkTopologyCarver* carver)
 }
 
 /** Expects an error with `words` from another helper program, and then levels from the real one. */
-void ExpectErrorAndRecovery(const std::string& words, OtherHelper&& helper)
+void ExpectErrorAndRecovery(const std::string& words, std::unique_ptr<OtherHelper> helper)
 {
   const Leftovers leftovers;
   vtkNew<vtkTopologyCarver> carver;
   Messages messages(carver);
   carver->SetInputData(TwoBoxes());
-  {
-    const OtherHelper current(std::move(helper));
-    carver->Update();
-  }
+  carver->Update();
+  helper.reset();
   leftovers.ExpectNone();
   EXPECT_TRUE(Has(messages.TakeError(), words));
   EXPECT_EQ(CountLevels(carver), 0);
@@ -51,38 +47,6 @@ std::string ErrorFor(vtkPolyData* input)
   return CarveWithError(carver, input);
 }
 
-/** During its lifetime, aborts a filter once it has reported a stage a number of times. */
-class Aborter
-{
-public:
-  Aborter(vtkTopologyCarver* carver, const std::string& stage, int reports = 1)
-    : Carver(carver)
-    , Stage(stage)
-    , Reports(reports)
-    , Tag(carver->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
-  {
-  }
-  ~Aborter()
-  {
-    this->Carver->RemoveObserver(this->Tag);
-  }
-
-private:
-  void Abort()
-  {
-    const char* stage = this->Carver->GetProgressText();
-    if (stage && this->Stage == stage && --this->Reports <= 0)
-    {
-      this->Carver->SetAbortExecute(1);
-    }
-  }
-
-  vtkTopologyCarver* Carver;
-  std::string Stage;
-  int Reports;
-  unsigned long Tag;
-};
-
 vtkSmartPointer<vtkPolyData> LargeSpheres()
 {
   return ToPolyData(
@@ -94,20 +58,22 @@ vtkSmartPointer<vtkPolyData> LargeSpheres()
 // A missing helper program is an error that names the environment variable and the path.
 TEST(Faults, ReportsAMissingHelper)
 {
-  ExpectErrorAndRecovery("/there/is/no/such/helper", OtherHelper("/there/is/no/such/helper"));
-  ExpectErrorAndRecovery("TOPOLOGYCARVING_HELPER", OtherHelper("/there/is/no/such/helper"));
+  ExpectErrorAndRecovery(
+    "/there/is/no/such/helper", std::make_unique<OtherHelper>("/there/is/no/such/helper"));
+  ExpectErrorAndRecovery(
+    "TOPOLOGYCARVING_HELPER", std::make_unique<OtherHelper>("/there/is/no/such/helper"));
 }
 
 // A helper that is no program, or one for another machine, is an error.
 TEST(Faults, ReportsAHelperThatIsNoProgram)
 {
-  ExpectErrorAndRecovery("not an executable file", OtherHelper(__FILE__));
-  ExpectErrorAndRecovery("not an executable file", OtherHelper("/"));
-  OtherHelper foreign = OtherHelper::Script("");
+  ExpectErrorAndRecovery("not an executable file", std::make_unique<OtherHelper>(__FILE__));
+  ExpectErrorAndRecovery("not an executable file", std::make_unique<OtherHelper>("/"));
+  auto foreign = OtherHelper::Script("");
   std::ofstream(std::getenv("TOPOLOGYCARVING_HELPER")) << "\x7f"
                                                           "ELF of nothing";
   ExpectErrorAndRecovery("carving-helper", std::move(foreign));
-  OtherHelper uninterpreted = OtherHelper::Script("");
+  auto uninterpreted = OtherHelper::Script("");
   std::ofstream(std::getenv("TOPOLOGYCARVING_HELPER")) << "#!/there/is/no/such/interpreter\n";
   ExpectErrorAndRecovery("carving-helper could not be run", std::move(uninterpreted));
 }
@@ -145,8 +111,7 @@ TEST(Faults, KillsAHangingHelperOnAbort)
 {
   for (const char* hang : { "exec sleep 1000", "sleep 1000 & wait", "(sleep 1000 & wait) & wait" })
   {
-    const OtherHelper hanging =
-      OtherHelper::Script(std::string("echo '@progress 2 0' >&2; ") + hang);
+    const auto hanging = OtherHelper::Script(std::string("echo '@progress 2 0' >&2; ") + hang);
     const Leftovers leftovers;
     vtkNew<vtkTopologyCarver> carver;
     Messages messages(carver);

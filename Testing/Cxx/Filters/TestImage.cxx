@@ -4,7 +4,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkLookupTable.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/Vector.h"
 #include "InputTesting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourCarver.h"
-#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -24,6 +21,8 @@
 #include <cmath>
 #include <limits>
 
+using carving::operator+;
+using carving::operator*;
 using carving::Point;
 
 namespace
@@ -77,15 +76,8 @@ vtkStandardNewMacro(MovingBoxes);
 TEST(Input, SkipsHiddenCells)
 {
   auto input = TwoBoxes();
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
-  {
-    ghosts->InsertNextValue(i < 12 ? 0
-        : i % 2                    ? vtkDataSetAttributes::HIDDENCELL
-                                   : vtkDataSetAttributes::DUPLICATECELL);
-  }
-  input->GetCellData()->AddArray(ghosts);
+  const int types[] = { vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL };
+  SetGhosts(input, [&](vtkIdType i) { return i < 12 ? 0 : types[i % 2]; });
   input->GetPoints()->SetPoint(12, NaN, 0, 0);
   const auto carver = Carve(input);
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), 12);
@@ -238,10 +230,7 @@ TEST(Input, MayBeOfAnySizeAndPlace)
     const auto carver = Carve(input);
     ASSERT_EQ(CountLevels(carver), 8) << scale;
     EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(input)) << scale;
-    const auto boxes = QuadBoxes(
-      [&, s = scale, p = place](const Point& q) {
-        return Point{ s * q[0] + p[0], s * q[1] + p[1], s * q[2] + p[2] };
-      });
+    const auto boxes = QuadBoxes([s = scale, p = place](const Point& q) { return s * q + p; });
     EXPECT_EQ(LastLevel(Carve(boxes))->GetNumberOfPolys(), 24) << scale;
   }
 }
@@ -249,9 +238,7 @@ TEST(Input, MayBeOfAnySizeAndPlace)
 // Coordinates whose products overflow or vanish are an error that advises scaling.
 TEST(Input, MustNotOverflow)
 {
-  const auto scaled = [](double s) {
-    return QuadBoxes([s](const Point& p) { return Point{ s * p[0], s * p[1], s * p[2] }; });
-  };
+  const auto scaled = [](double s) { return QuadBoxes([s](const Point& p) { return s * p; }); };
   EXPECT_TRUE(Has(ErrorOf(scaled(1e100)), "Point 1 is (1e+100, 0, 0)"));
   EXPECT_TRUE(Has(ErrorOf(scaled(1e-100)), "Scale the input"));
 }

@@ -3,7 +3,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 
 #include <gtest/gtest.h>

@@ -3,11 +3,8 @@
 
 #include "Figures.h"
 #include "vtkExtractCarvedLOD.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
 

@@ -3,24 +3,18 @@
  * @file
  * The components, tunnels, voids and errors of levels, the profile and the stored stream.
  */
-#include "FilterTesting.h"
+#include "ContourTesting.h"
 #include "RealMeshes.h"
 
-#include "vtkCellArray.h"
-#include "vtkContourCarver.h"
 #include "vtkDataArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPoints.h"
 #include "vtkTable.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <tuple>
-#include <utility>
 
 namespace
 {
@@ -127,10 +121,7 @@ TEST(LevelTopology, MeetsTargets)
   for (const auto& [type, name, target] : { std::tuple(vtkTopologyCarver::TUNNELS, "Tunnels", 3),
          std::tuple(vtkTopologyCarver::COMPONENTS, "Components", 4) })
   {
-    carver->ClearLevelTargets();
-    carver->SetLevelTargetType(type);
-    carver->AddLevelTarget(target);
-    carver->Update();
+    CarveTo(carver, type, target);
     const int step = GetLevelStep(carver, 0);
     for (int i = 0; i <= step; ++i)
     {
@@ -159,23 +150,9 @@ TEST(LevelTopology, ComputesTheErrorOnRequest)
 // In a plane, the error of the hull of two squares is half the width of their gap.
 TEST(LevelTopology, ComputesTheErrorOfContours)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> polys;
-  for (const double x : { 0.0, 2.0 })
-  {
-    polys->InsertNextCell(4);
-    for (const auto& [dx, y] :
-      { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
-    {
-      polys->InsertCellPoint(points->InsertNextPoint(x + dx, y, 5.0));
-    }
-  }
-  vtkNew<vtkPolyData> squares;
-  squares->SetPoints(points);
-  squares->SetPolys(polys);
   vtkNew<vtkContourCarver> carver;
   carver->ComputeErrorOn();
-  Carve(carver, squares);
+  Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(2, 0, 3, 1) }));
   const vtkIdType last = GetProfile(carver)->GetNumberOfRows() - 1;
   EXPECT_GE(GetProfileValue(carver, 0, "Error"), 0.5 * (1.0 - 1e-12));
   EXPECT_LE(GetProfileValue(carver, 0, "Error"), 0.505);

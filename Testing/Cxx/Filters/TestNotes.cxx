@@ -2,11 +2,8 @@
 #include "FilterTesting.h"
 #include "RandomModels.h"
 
-#include "vtkMultiBlockDataSet.h"
-
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 
 // A convex mesh gives one level, no error, and a note that there is nothing to carve.

@@ -3,6 +3,7 @@
  * @file
  * Arrays of the input that have the names of arrays that the carvers write.
  */
+#include "Convert/ArrayTools.h"
 #include "FilterTesting.h"
 #include "RandomModels.h"
 
@@ -10,13 +11,10 @@
 #include "vtkDoubleArray.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
-#include "vtkTable.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -71,14 +69,6 @@ std::set<std::string> GetOwnNames()
   return names;
 }
 
-void AddText(vtkFieldData* data, const std::string& name, const std::string& text)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name.c_str());
-  array->InsertNextValue(text);
-  data->AddArray(array);
-}
-
 bool HasText(vtkFieldData* data, const std::string& name, const std::string& text)
 {
   auto* array = vtkStringArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
@@ -88,9 +78,7 @@ bool HasText(vtkFieldData* data, const std::string& name, const std::string& tex
 template <class ArrayType>
 void AddNumbers(vtkFieldData* data, const char* name, vtkIdType count, double first)
 {
-  vtkNew<ArrayType> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(count);
+  auto array = MakeArray<ArrayType>(name, count);
   for (vtkIdType i = 0; i < count; ++i)
   {
     array->SetTuple1(i, first + static_cast<double>(i));
@@ -107,9 +95,9 @@ TEST(OwnArrays, DropFieldDataOfAnOlderCarving)
   const std::set<std::string> own = GetOwnNames();
   for (const std::string& name : own)
   {
-    AddText(input->GetFieldData(), name, "stale");
+    AddFieldValue<vtkStringArray>(input->GetFieldData(), name.c_str(), "stale");
   }
-  AddText(input->GetFieldData(), "Unit", "mm");
+  AddFieldValue<vtkStringArray>(input->GetFieldData(), "Unit", "mm");
   const auto carver = Carve(input);
   for (vtkFieldData* data : GetAllFieldData(carver))
   {
@@ -133,10 +121,10 @@ TEST(OwnArrays, DropFieldDataOfLeaves)
   scene->SetBlock(0, leaf);
   for (vtkFieldData* data : { leaf->GetFieldData(), scene->GetFieldData() })
   {
-    AddText(data, "Strategy", "stale");
-    AddText(data, "ProfileError", "stale");
-    AddText(data, "Notes", "stale");
-    AddText(data, "Unit", "mm");
+    AddFieldValue<vtkStringArray>(data, "Strategy", "stale");
+    AddFieldValue<vtkStringArray>(data, "ProfileError", "stale");
+    AddFieldValue<vtkStringArray>(data, "Notes", "stale");
+    AddFieldValue<vtkStringArray>(data, "Unit", "mm");
   }
   const auto carver = Carve(scene);
   for (int port = 0; port < 3; ++port)

@@ -8,8 +8,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkContourCarver.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPoints.h"
 
@@ -17,7 +15,6 @@
 
 #include <functional>
 #include <random>
-#include <string>
 
 namespace
 {

@@ -223,8 +223,11 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.NumberOfLevels = this->NumberOfLevels;
   settings.LevelTargets = this->Targets;
   settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
-  const bool both = this->KeepBothFoldSides == AUTO ? carving::HasLimits(settings.Carve.Budget)
-                                                    : this->KeepBothFoldSides == BOTH_SIDES;
+  settings.Simplify = this->LevelSimplification == ENCLOSING_COLLAPSE;
+  settings.MaximumVertices = this->MaximumVertices;
+  const bool both = this->KeepBothFoldSides == AUTO
+    ? carving::HasLimits(settings.Carve.Budget) || settings.Simplify
+    : this->KeepBothFoldSides == BOTH_SIDES;
   settings.Folds = both ? carving::FoldSides::Both : carving::FoldSides::One;
   settings.ManifoldOutput = this->ManifoldOutput;
   settings.Stored = vtkSmartPointer<vtkFieldData>::New();

@@ -86,6 +86,13 @@ public:
     STEP = 6
   };
 
+  /** Whether levels are decimated after carving. Not in the paper. */
+  enum LevelSimplifications
+  {
+    SUBSET = 0,
+    ENCLOSING_COLLAPSE = 1
+  };
+
   ///@{
   /**
    * The first level, C0. A change runs the helper program again, and so does, for CUSTOM, a change
@@ -336,7 +343,8 @@ public:
    * - ONE_SIDE (off): folds show once, oriented as in M, so that sheets are open surfaces.
    * - BOTH_SIDES (on): levels are closed.
    * - AUTO (default): both sides if a budget is set (see MaximumComponents), since only closed
-   *   surfaces have the components and tunnels that the budget limits.
+   *   surfaces have the components and tunnels that the budget limits, and with
+   *   ENCLOSING_COLLAPSE, which needs closed surfaces.
    */
   vtkSetClampMacro(KeepBothFoldSides, int, ONE_SIDE, AUTO);
   vtkGetMacro(KeepBothFoldSides, int);
@@ -356,6 +364,39 @@ public:
   vtkSetMacro(ManifoldOutput, bool);
   vtkGetMacro(ManifoldOutput, bool);
   vtkBooleanMacro(ManifoldOutput, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How levels get their numbers of vertices. Without effect on contours.
+   * - SUBSET (default): levels are steps of the carving. They have vertices of the input only.
+   * - ENCLOSING_COLLAPSE: a step that has been carved further is decimated by edge collapses, as in
+   *   vtkEnclosingDecimation. Such a level is many times closer to M than a step with the same
+   *   number of vertices. It encloses M, does not cross itself, is closed and has the topology of
+   *   the step, but has new vertices, and need not lie inside coarser levels. Its field data have
+   *   `Kind` "simplified", the `Step` that it comes from, and its `Error`. A triangle has the cell
+   *   data of the step's triangle that it has been; new vertices have the point data of the closest
+   *   point of the input.
+   *
+   * With ENCLOSING_COLLAPSE, targets of VERTICES and TRIANGLES, and those of NumberOfLevels, give
+   * the closest level of several trials: steps at halved numbers of vertices, decimated to the
+   * target. C0's own number is no limit. ERROR_BOUND gives the level with the fewest vertices that
+   * the trials find within the distance. For all other targets, see MaximumVertices. The helper
+   * program runs once for each trial. The stored stream on port 1 does not have these levels.
+   */
+  vtkSetClampMacro(LevelSimplification, int, SUBSET, ENCLOSING_COLLAPSE);
+  vtkGetMacro(LevelSimplification, int);
+  ///@}
+
+  ///@{
+  /**
+   * The largest number of vertices of a level whose target is a number of TUNNELS or COMPONENTS, a
+   * FEATURE_SIZE or a STEP: with ENCLOSING_COLLAPSE, the target's step, or an earlier one, is
+   * decimated to this number. 0, the default, means no limit. Not used by other targets, nor with
+   * SUBSET.
+   */
+  vtkSetClampMacro(MaximumVertices, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumVertices, int);
   ///@}
 
   ///@{
@@ -467,6 +508,8 @@ protected:
   bool ManifoldOutput = true;
   bool ComputeError = false;
   int LevelTargetType = VERTICES;
+  int LevelSimplification = SUBSET;
+  int MaximumVertices = 0;
   std::vector<double> Targets;
 
 private:

@@ -96,9 +96,14 @@ std::vector<vtkCarverProperty> MakeProperties()
     { NAMED(LevelTargetType),
       { "VERTICES", "TRIANGLES", "FEATURE_SIZE", "TUNNELS", "COMPONENTS", "ERROR_BOUND", "STEP" },
       0, 0, NotStored, "" },
+    { NAMED(LevelSimplification), { "SUBSET", "ENCLOSING_COLLAPSE" }, 0, 0, NotStored, "" },
+    { NAMED(MaximumVertices), NoChoices, 0, VTK_INT_MAX, NotStored,
+      "With --simplify, the largest number of vertices of a level that --tunnels, --components, "
+      "--feature-size or --step picks. 0: no limit." },
     { NAMED(KeepBothFoldSides), { "Off", "On", "AUTO" }, 0, 0, NotStored,
       "Whether a sheet without solid on either side shows with both of its sides, as a closed "
-      "surface. auto: only if a maximum of components, tunnels or voids is set. (Section 3.3)" },
+      "surface. auto: only if a maximum of components, tunnels or voids is set, or with "
+      "--simplify. (Section 3.3)" },
     { NAMED(ManifoldOutput), Switch, 0, 0, NotStored,
       "Whether levels are cut apart where more than two triangles meet in an edge, or several fans "
       "of triangles in a vertex. (Section 3.3)" },

@@ -56,6 +56,12 @@ OPTIONS
         in a plane, and carve them out of their convex hull in that plane. Read edge
         for triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
 
+    --simplify
+        Carve further than a level's number of vertices needs, and decimate the
+        result. Such levels are many times closer to the mesh. They still enclose the
+        mesh and do not cross themselves, but have new vertices, and need not lie
+        inside the level before.
+
     --decimate
         Decimate SURFACE into surfaces that enclose it, one per number of
         --vertices, --triangles or --error-bound (default: 1000 vertices).
@@ -95,15 +101,22 @@ LEVELS
         The last level such that neither it nor any level before has more vertices,
         triangles, tunnels or components than the number.
 
+        With --simplify, the closest level with at most that many vertices or
+        triangles that some trials find.
+
     --feature-size X,X,...
         The level at which gaps wider than about this length are open.
 
     --error-bound X,X,...
         The first level such that no point of it, or of any level after it, is
-        farther from the mesh than this length.
+        farther from the mesh than this length. With --simplify, the level with the
+        fewest vertices that some trials find within this length.
 
     --step N,N,...
         The level after this number of carving steps.
+
+    A single number of --vertices can be given with --tunnels, --components,
+    --feature-size or --step. Their levels are then simplified to that number.
 
 PROPERTY OPTIONS
     These options determine the carving and its order. The sections are those of the
@@ -134,6 +147,8 @@ EXAMPLES
     carve scan.ply.gz --stream scan.vtu
     carve scan.vtu --vertices 1000 -o scan_1000.vtp
     carve scan.ply.gz --tunnels 0,2 -o few_tunnels.vtm --profile scan.png
+    carve scan.ply.gz --simplify --vertices 200,1000 -o close.vtm
+    carve scan.ply.gz --tunnels 0 --vertices 500 -o closed.vtm
     carve part.stl --decimate --vertices 500,2000 -o proxy.vtm
 )";
 

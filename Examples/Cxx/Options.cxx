@@ -53,18 +53,9 @@ std::string GetOffender(char* argv[])
     : argv[optind - 1];
 }
 
-std::string ParseTargets(int type, const std::string& text, Options& options)
+/** Reads the targets of a type. Returns an empty string, or a description of the mistake. */
+std::string ParseTargets(int type, const std::string& text, std::vector<double>& targets)
 {
-  if (!options.Targets.empty())
-  {
-    std::string list;
-    for (const std::string& other : GetTargetTypes())
-    {
-      list += (list.empty() ? "--" : ", --") + ToOption(other);
-    }
-    return "only one of the following options can be given, and only once: " + list;
-  }
-  options.TargetType = type;
   const std::string name = ToOption(GetTargetTypes()[type]);
   const bool length =
     type == vtkTopologyCarver::FEATURE_SIZE || type == vtkTopologyCarver::ERROR_BOUND;
@@ -81,9 +72,56 @@ std::string ParseTargets(int type, const std::string& text, Options& options)
         (!length && smallest > 0.0 ? " above 0" : "") + " with commas between, not \"" + text +
         "\"";
     }
-    options.Targets.push_back(target);
+    targets.push_back(target);
   }
-  return options.Targets.empty() ? "--" + name + " wants a number" : "";
+  return targets.empty() ? "--" + name + " wants a number" : "";
+}
+
+/** Whether a number of vertices can limit the levels that targets of a type pick. */
+bool CanBeLimited(int type)
+{
+  return type == vtkTopologyCarver::TUNNELS || type == vtkTopologyCarver::COMPONENTS ||
+    type == vtkTopologyCarver::FEATURE_SIZE || type == vtkTopologyCarver::STEP;
+}
+
+/** Takes the targets of a type, and a number of vertices as a limit for those of another type. */
+std::string TakeTargets(int type, const std::string& text, Options& options)
+{
+  std::vector<double> targets;
+  const std::string error = ParseTargets(type, text, targets);
+  if (!error.empty())
+  {
+    return error;
+  }
+  if (!options.Targets.empty() && type == vtkTopologyCarver::VERTICES)
+  {
+    std::swap(targets, options.Targets);
+    std::swap(type, options.TargetType);
+  }
+  if (options.Targets.empty())
+  {
+    options.Targets = targets;
+    options.TargetType = type;
+    return {};
+  }
+  if (options.TargetType != vtkTopologyCarver::VERTICES || options.Targets.size() > 1 ||
+    !CanBeLimited(type))
+  {
+    std::string list;
+    for (const std::string& other : GetTargetTypes())
+    {
+      list += (list.empty() ? "--" : ", --") + ToOption(other);
+    }
+    return "levels can be picked by one of the following options only, except that one number of "
+           "--vertices can limit those of --tunnels, --components, --feature-size or --step: " +
+      list;
+  }
+  options.Properties["MaximumVertices"] = options.Targets.front();
+  options.Properties["LevelSimplification"] = vtkTopologyCarver::ENCLOSING_COLLAPSE;
+  options.CarvingOption = "--vertices with --" + ToOption(GetTargetTypes()[type]);
+  options.Targets = targets;
+  options.TargetType = type;
+  return {};
 }
 
 /** Describes the values of a property whose values are numbers. */
@@ -180,7 +218,7 @@ void AddLevelOptions(Options& options, std::vector<KnownOption>& known)
   for (int type = 0; type < static_cast<int>(GetTargetTypes().size()); ++type)
   {
     known.push_back({ ToOption(GetTargetTypes()[type]), required_argument,
-      [&options, type](const std::string& value) { return ParseTargets(type, value, options); } });
+      [&options, type](const std::string& value) { return TakeTargets(type, value, options); } });
   }
 }
 
@@ -223,6 +261,13 @@ std::vector<KnownOption> MakeKnownOptions(Options& options)
     {
       options.Contours = true;
       options.CarvingOption = "--contours";
+      return "";
+    } });
+  known.push_back({ "simplify", no_argument,
+    [&](const std::string&)
+    {
+      options.Properties["LevelSimplification"] = vtkTopologyCarver::ENCLOSING_COLLAPSE;
+      options.CarvingOption = "--simplify";
       return "";
     } });
   for (const auto& [name, flag] :

@@ -3,7 +3,7 @@
 
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
-
+#include "Convert/PointOutput.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 #include "vtkCellArray.h"
@@ -18,6 +18,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <limits>
 #include <numeric>
@@ -94,7 +95,7 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
  * Returns the number of vertices that are not vertices of the input; copies of a point count once.
  */
 template <int D>
-int FillPoints(const carving::ResolvedInput<D>& resolved, const std::vector<int>& ids,
+int FillStreamPoints(const carving::ResolvedInput<D>& resolved, const std::vector<int>& ids,
   vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
   const vtkIdType count = static_cast<vtkIdType>(ids.size());
@@ -216,13 +217,41 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   const int step = level.Step;
   const carving::ManifoldLevel<D> cut =
     manifold ? carving::CutIntoManifold(stream, level) : carving::KeepUncut(level);
-  const int newVertices = FillPoints<D>(stream.Mesh.Surface, cut.Points, grid, output);
+  const int newVertices = FillStreamPoints<D>(stream.Mesh.Surface, cut.Points, grid, output);
   FillFaces<D>(
     cut.Faces, level.Faces, static_cast<vtkIdType>(stream.Mesh.Cells.size()), grid, output);
   FillFieldData(profile, step, "carved", newVertices, static_cast<vtkIdType>(cut.Faces.size()),
     grid, output->GetFieldData());
   FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, D,
     MeasureLevel(cut, manifold), output->GetFieldData());
+}
+
+void FillSimplifiedLevel(const carving::StoredStream<3>& stream, const carving::Profile& profile,
+  vtkPolyData* input, vtkUnstructuredGrid* grid, const SimplifiedLevel& level, vtkPolyData* output)
+{
+  carving::ResolvedMesh points;
+  points.Points = level.Mesh.Points;
+  for (const int point : level.Points)
+  {
+    points.PointSources.push_back(point < 0 ? -1 : stream.Mesh.Surface.PointSources[point]);
+  }
+  FillPoints<3>(points, input, output);
+  const auto& triangles = level.Mesh.Triangles;
+  FillFaces<3>(
+    triangles, level.Faces, static_cast<vtkIdType>(stream.Mesh.Cells.size()), grid, output);
+  vtkFieldData* fieldData = output->GetFieldData();
+  const int newVertices =
+    static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1));
+  FillFieldData(profile, level.Step, "simplified", newVertices,
+    static_cast<vtkIdType>(triangles.size()), grid, fieldData);
+  AddFieldValue<vtkIdTypeArray>(
+    fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(points.Points.size()));
+  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, level.Error);
+  std::vector<int> vertices(points.Points.size());
+  std::iota(vertices.begin(), vertices.end(), 0);
+  const int step = level.Step;
+  FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, 3,
+    carving::MeasureSurface({ triangles, vertices }), fieldData);
 }
 
 void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,

@@ -23,6 +23,23 @@ template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
   vtkUnstructuredGrid* grid, const carving::Level<D>& level, bool manifold, vtkPolyData* output);
 
+/** A level of which edges have been collapsed. */
+struct SimplifiedLevel
+{
+  int Step = 0;
+  carving::TriangleMesh Mesh;
+  std::vector<int> Points;                 ///< per vertex: the point of the stream, or -1
+  std::vector<carving::FaceLife<3>> Faces; ///< per triangle: the face that it has been
+  double Error = 0.0;                      ///< the distance from M
+};
+
+/**
+ * Fills a simplified level. Triangles have the attributes of the faces that they have been, and new vertices those of the
+ * closest point of `input`, the input with its usable attributes.
+ */
+void FillSimplifiedLevel(const carving::StoredStream<3>& stream, const carving::Profile& profile,
+  vtkPolyData* input, vtkUnstructuredGrid* grid, const SimplifiedLevel& level, vtkPolyData* output);
+
 /**
  * Fills a level with M as given, for a mesh that is only enclosed. `cellIds` has the cell of
  * `input` for each triangle that the helper program was given.

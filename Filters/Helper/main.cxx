@@ -130,8 +130,8 @@ void DecimateGiven(const Job& job, Reply& reply)
 {
   Reporter reporter(reply);
   reporter.Begin(Stage::Tetrahedralize); // the main stage of a job
-  reply.Error = DecimateEnclosing(job.Mesh, job.Decimation, reply.Surfaces,
-    [&](double fraction) { return reporter.Report(fraction); });
+  reply.Error = DecimateEnclosing(job.Surface.Triangles.empty() ? job.Mesh : job.Surface, job.Mesh,
+    job.Decimation, reply.Surfaces, [&](double fraction) { return reporter.Report(fraction); });
   reporter.End();
 }
 

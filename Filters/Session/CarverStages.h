@@ -20,6 +20,7 @@ enum CarverStage
   ClassifyStage,
   CarveStage,
   MeasureStage,
+  SimplifyStage,
   OutputStage,
   NumberOfCarverStages
 };

@@ -18,6 +18,8 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -67,7 +69,9 @@ bool LeafOutput<D>::Write(
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
   this->WriteStream(attributes, leaf, carved, grid);
   FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
-  if (!this->WriteLevels(carved, grid))
+  const bool simplified = D == 3 && this->Settings.Simplify;
+  if (simplified ? !this->WriteSimplifiedLevels(attributes, leaf, carved, grid)
+                 : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
   {
     return false;
   }
@@ -133,12 +137,12 @@ std::vector<int> LeafOutput<D>::SelectSteps(const carving::Profile& profile)
 }
 
 template <int D>
-bool LeafOutput<D>::WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+bool LeafOutput<D>::WriteLevels(
+  const std::vector<int>& steps, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
   // One walk over the stream finds the faces of this many levels. The number bounds the time
   // between reports.
   constexpr std::size_t levelsAtOnce = 16;
-  const std::vector<int> steps = this->SelectSteps(carved.Profile);
   for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)
   {
     const std::size_t end = std::min(first + levelsAtOnce, steps.size());
@@ -157,6 +161,103 @@ bool LeafOutput<D>::WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid
     }
   }
   return true;
+}
+
+template <int D>
+std::vector<LevelSimplifier::Request> LeafOutput<D>::MakeRequests(const carving::Profile& profile)
+{
+  using carving::LevelTarget;
+  const int last = profile.LastStep();
+  const LevelTarget type = this->Settings.TargetType;
+  std::vector<LevelSimplifier::Request> requests;
+  if (this->Settings.LevelTargets.empty())
+  {
+    for (const int step : this->SelectSteps(profile))
+    {
+      requests.push_back({ last, static_cast<double>(profile.Vertices[step]) });
+    }
+  }
+  else if (type == LevelTarget::Vertices || type == LevelTarget::Triangles ||
+    type == LevelTarget::ErrorBound)
+  {
+    for (const double target : this->Settings.LevelTargets)
+    {
+      requests.push_back({ last, target });
+    }
+  }
+  else
+  {
+    for (const int step : this->SelectSteps(profile))
+    {
+      const int limit = this->Settings.MaximumVertices;
+      requests.push_back({ step, limit > 0 ? limit : HUGE_VAL });
+    }
+  }
+  std::sort(requests.begin(), requests.end(),
+    [&](const auto& a, const auto& b)
+    {
+      return a.LastStep != b.LastStep     ? a.LastStep < b.LastStep
+        : type == LevelTarget::ErrorBound ? a.Target > b.Target
+                                          : a.Target < b.Target;
+    });
+  return requests;
+}
+
+template <int D>
+bool LeafOutput<D>::WriteSimplifiedLevels(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+  const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+{
+  if constexpr (D == 3)
+  {
+    using carving::DecimationTarget;
+    using carving::LevelTarget;
+    const carving::Profile& profile = carved.Profile;
+    const LevelTarget target =
+      this->Settings.LevelTargets.empty() ? LevelTarget::Vertices : this->Settings.TargetType;
+    const DecimationTarget type = target == LevelTarget::Triangles ? DecimationTarget::Triangles
+      : target == LevelTarget::ErrorBound                          ? DecimationTarget::ErrorBound
+                                                                   : DecimationTarget::Vertices;
+    // Steps that have no more than the target are levels as they are.
+    const auto isSimple = [&](const LevelSimplifier::Request& request)
+    {
+      const std::vector<int>& counts =
+        type == DecimationTarget::Triangles ? profile.Triangles : profile.Vertices;
+      return type != DecimationTarget::ErrorBound && request.Target >= counts[request.LastStep];
+    };
+    const std::vector<LevelSimplifier::Request> requests = this->MakeRequests(profile);
+    std::vector<LevelSimplifier::Request> open;
+    std::remove_copy_if(requests.begin(), requests.end(), std::back_inserter(open), isSimple);
+    std::vector<SimplifiedLevel> simplified;
+    std::vector<std::string> problems;
+    if (!LevelSimplifier(leaf, carved, this->Stages).Run(type, open, simplified, problems))
+    {
+      return false;
+    }
+    for (const std::string& problem : problems)
+    {
+      vtkWarningWithObjectMacro(this->Filter, << problem);
+    }
+    auto next = simplified.begin();
+    for (std::size_t i = 0; i < requests.size(); ++i)
+    {
+      vtkNew<vtkPolyData> level;
+      const bool asCarved = isSimple(requests[i]);
+      if (asCarved || next->Faces.empty())
+      {
+        const int step = asCarved ? requests[i].LastStep
+                                  : carving::SelectStep(profile, target, requests[i].Target).Step;
+        FillLevel(carved.Stream, profile, grid, carving::ExtractLevel(carved.Stream, step),
+          this->Settings.ManifoldOutput, level);
+      }
+      else
+      {
+        FillSimplifiedLevel(carved.Stream, profile, attributes, grid, *next, level);
+      }
+      next += asCarved ? 0 : 1;
+      this->SetLevel(static_cast<unsigned int>(i), level);
+    }
+  }
+  return this->Stages.Report(OutputStage, 0.5);
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 
 #include "Session/CarvedLeaf.h"
 #include "Session/CarverPorts.h"
+#include "Session/LevelSimplifier.h"
 
 #include <vector>
 
@@ -41,8 +42,13 @@ private:
   void WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
     const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   std::vector<int> SelectSteps(const carving::Profile& profile);
+  std::vector<LevelSimplifier::Request> MakeRequests(const carving::Profile& profile);
   /** Fills a block for each step. Returns false if the filter is to stop. */
-  bool WriteLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+  bool WriteLevels(
+    const std::vector<int>& steps, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+  /** Fills a block for each simplified level. Returns false if the filter is to stop. */
+  bool WriteSimplifiedLevels(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+    const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   void AppendInput(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
     const carving::Profile& profile, vtkUnstructuredGrid* grid);
   void SetLevel(unsigned int index, vtkPolyData* level);

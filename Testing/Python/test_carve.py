@@ -192,7 +192,7 @@ class TestCarve(unittest.TestCase):
         self.assertLess(rows[0][1], rows[1][1])
         self.assertEqual(self.table("out.vtu", "--error-bound", "0.4,0.2"), rows)
         self.expect_failure(self.run_carve(BONES, "--tunnels", "-1"), 2, "--tunnels", "whole numbers")
-        self.expect_failure(self.run_carve(BONES, "--tunnels", "1", "--components", "1"), 2, "only one")
+        self.expect_failure(self.run_carve(BONES, "--tunnels", "1", "--components", "1"), 2, "options only")
 
     def test_prints_its_version(self):
         """--version prints a name and a number."""
@@ -314,6 +314,19 @@ class TestCarve(unittest.TestCase):
 
     # Errors
 
+    def test_simplifies_levels(self):
+        """--simplify reaches numbers of vertices below the hull's, also together with a number of tunnels."""
+        rows = self.table(BONES, "--simplify", "--vertices", "60,200")
+        self.assertEqual([row[2] for row in rows], [60, 200])
+        for order in (("--tunnels", "0,2", "--vertices", "150"), ("--vertices", "150", "--tunnels", "0,2")):
+            rows = self.table(BONES, *order)
+            self.assertEqual(len(rows), 2)
+            for row, tunnels in zip(rows, (0, 2)):
+                self.assertLessEqual(row[2], 150)
+                self.assertLessEqual(row[5], tunnels)
+        two = ("--vertices", "9,10", "--tunnels", "0")
+        self.expect_failure(self.run_carve(BONES, *two), 2, "options only")
+
     def test_refuses_a_wrong_command_line(self):
         """A wrong command line gives exit code 2 and one line with the reason."""
         self.expect_failure(self.run_carve(), 2, "input")
@@ -326,7 +339,7 @@ class TestCarve(unittest.TestCase):
             self.expect_failure(self.run_carve(BONES, "--levels", levels), 2, "--levels")
         for targets in ("", ",", "1,,2", "10,x", "0"):
             self.expect_failure(self.run_carve(BONES, "--vertices", targets), 2, "--vertices")
-        self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "only one")
+        self.expect_failure(self.run_carve(BONES, "--vertices", "9", "--triangles", "9"), 2, "options only")
         self.expect_failure(self.run_carve(BONES, "--levels", "9", "--triangles", "9"), 2, "--levels")
         self.expect_failure(self.run_carve(BONES, "--carve-exposed", "maybe"), 2, "off|on")
         self.expect_failure(self.run_carve(BONES, "--solid-rule", "odd"), 2, "even-odd")

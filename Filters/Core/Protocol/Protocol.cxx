@@ -16,8 +16,8 @@ namespace
 {
 
 // Increment the last digit whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '7' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '7' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '8' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '8' };
 
 class Writer
 {
@@ -162,6 +162,8 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Array(job.Contours.Edges);
   archive.Array(job.InitialContours.Points);
   archive.Array(job.InitialContours.Edges);
+  archive.Array(job.Surface.Points);
+  archive.Array(job.Surface.Triangles);
   archive.Value(job.Decimation.Type);
   archive.Array(job.Decimation.Targets);
   archive.Value(job.Decimation.Nested);
@@ -193,13 +195,14 @@ template <class Archive, class Surfaces>
 void VisitSurfaces(Archive& archive, Surfaces& surfaces)
 {
   constexpr std::size_t sizeOfEmpty =
-    3 * sizeof(std::uint64_t) + sizeof(DecimatedSurface::Error) + sizeof(DecimatedSurface::Reached);
+    4 * sizeof(std::uint64_t) + sizeof(DecimatedSurface::Error) + sizeof(DecimatedSurface::Reached);
   archive.Each(surfaces, sizeOfEmpty,
     [&archive](auto& surface)
     {
       archive.Array(surface.Mesh.Points);
       archive.Array(surface.Mesh.Triangles);
       archive.Array(surface.PointSources);
+      archive.Array(surface.FacetSources);
       archive.Value(surface.Error);
       archive.Value(surface.Reached);
     });
@@ -279,6 +282,7 @@ std::string Read(const char* data, std::size_t size, Job& job)
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||
+    !IndicesWithin(job.Surface.Triangles, 0, job.Surface.Points.size()) ||
     !IndicesWithin(job.Contours.Edges, 0, job.Contours.Points.size()) ||
     !IndicesWithin(job.InitialContours.Edges, 0, job.InitialContours.Points.size()))
   {
@@ -308,9 +312,10 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   for (const DecimatedSurface& surface : reply.Surfaces)
   {
     if (!IndicesWithin(surface.Mesh.Triangles, 0, surface.Mesh.Points.size()) ||
-      surface.PointSources.size() != surface.Mesh.Points.size())
+      surface.PointSources.size() != surface.Mesh.Points.size() ||
+      surface.FacetSources.size() != surface.Mesh.Triangles.size())
     {
-      return "a decimated surface has a vertex index out of range";
+      return "a decimated surface has indices out of range";
     }
   }
   const std::string mistake = FindMistake(reply.Result);

@@ -28,7 +28,7 @@ enum class JobKind : int
   CountIntersections = 2,
   /** Resolve and triangulate the contours. Sets `Plane` of the reply instead of `Result`. */
   Triangulate = 3,
-  /** Decimate the mesh into surfaces that enclose it. Sets `Surfaces` only. */
+  /** Decimate `Surface`, or the mesh itself, into surfaces that enclose the mesh. Sets `Surfaces` only. */
   Decimate = 4
 };
 
@@ -54,9 +54,11 @@ struct DecimationOptions
 struct DecimatedSurface
 {
   TriangleMesh Mesh;
-  std::vector<int> PointSources; ///< per point: the given point at this position, or -1
-  double Error = 0.0; ///< the largest distance from the given mesh; at most 1 % too large
-  int Reached = 1;    ///< 0 if no further edge could collapse before the target
+  std::vector<int> PointSources; ///< per point: that of the given surface at this position, or -1
+  std::vector<int> FacetSources; ///< per triangle: that of the given surface which it has been
+  double Error = 0.0; ///< the largest distance from the enclosed mesh; at most 1 % too large
+  /** 0 if no further edge could collapse before the target, or the given surface is too far. */
+  int Reached = 1;
 };
 
 /** The initial approximation C0 (section 3.1). */
@@ -116,6 +118,7 @@ struct Job : HelperOptions
   TriangleMesh InitialMesh;     ///< for InitialApproximation::Custom
   ContourSet Contours;          ///< for JobKind::Triangulate
   ContourSet InitialContours;   ///< for JobKind::Triangulate and InitialApproximation::Custom
+  TriangleMesh Surface;         ///< for JobKind::Decimate, around the mesh; empty: the mesh itself
   DecimationOptions Decimation; ///< for JobKind::Decimate
 };
 

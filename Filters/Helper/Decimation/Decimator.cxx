@@ -36,7 +36,7 @@ Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nes
   , Tree(BoxesOf(this->Surface))
   , FacesAtBuild(this->Surface.number_of_faces())
   , M(obstacle)
-  , Place(obstacle, this->M)
+  , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
   , CanSweepOver(!IsConnectedWithoutCopies(this->Surface))
   , Quadrics(this->Surface.num_vertices())
@@ -143,10 +143,11 @@ bool Decimator::Run(const std::function<bool()>& goOn)
   {
     while (this->Queue.empty() && !this->Refill())
     {
-      if (!this->Place.Widen())
+      if (this->UsesEnds && !this->Place.Widen())
       {
         return false;
       }
+      this->UsesEnds = true;
       this->VerticesAtRefill = 0;
     }
     const Candidate next = this->Pop();
@@ -159,12 +160,12 @@ bool Decimator::Run(const std::function<bool()>& goOn)
     const HalfEdge edge = this->Surface.halfedge(index);
     const EdgeStar star(this->Surface, edge);
     const LocalError error = this->ErrorOf(edge);
-    const std::optional<Point> outward = this->Place.FindOutward(star, error);
-    if (!outward)
+    const std::vector<Point> outward = this->FindOutward(edge, star, error);
+    if (outward.empty())
     {
       continue;
     }
-    Point w = *outward;
+    Point w = outward.front();
     if (!this->Nested && this->Surface.number_of_vertices() <= FewVertices)
     {
       w = this->Place.SlideInward(star, error, w);
@@ -175,9 +176,34 @@ bool Decimator::Run(const std::function<bool()>& goOn)
       this->Push(edge, cost);
       continue;
     }
-    this->TryCollapse(edge, star, error, *outward);
+    std::any_of(outward.begin(), outward.end(),
+      [&](const Point& start) { return this->TryCollapse(edge, star, error, start); });
   }
   return true;
+}
+
+/**
+ * Outward positions, best first. Ends of edges are tried only once nothing else helps: the other positions fit better, but
+ * may turn faces over in flat regions.
+ */
+std::vector<Point> Decimator::FindOutward(
+  HalfEdge edge, const EdgeStar& star, const LocalError& error)
+{
+  std::vector<Point> positions;
+  if (const std::optional<Point> w = this->Place.FindOutward(star, error))
+  {
+    positions.push_back(*w);
+  }
+  for (const Vertex end : { this->Surface.source(edge), this->Surface.target(edge) })
+  {
+    if (this->UsesEnds && IsOutside(star, this->Surface.point(end)))
+    {
+      positions.push_back(this->Surface.point(end));
+    }
+  }
+  std::stable_sort(positions.begin(), positions.end(),
+    [&](const Point& a, const Point& b) { return error.At(a) < error.At(b); });
+  return positions;
 }
 
 /** Collapses the edge into an outward position, or one that slides from there, if that is valid. */

@@ -75,6 +75,7 @@ private:
   bool Crosses(const EdgeStar& star, const Point& w) const;
   bool SweepsOver(const EdgeStar& star, const Point& w) const;
   bool Tighten(const EdgeStar& star, const LocalError& error, Point& w);
+  std::vector<Point> FindOutward(HalfEdge edge, const EdgeStar& star, const LocalError& error);
   bool TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w);
   void Collapse(HalfEdge edge, const EdgeStar& star, const Point& w);
   void PushAround(Vertex vertex);
@@ -94,6 +95,7 @@ private:
   std::vector<unsigned int> Stamps; ///< per edge: of its last candidate
   std::vector<char> IsQueued;       ///< per edge: whether this candidate is in the queue
   SurfaceMesh::size_type VerticesAtRefill = 0;
+  bool UsesEnds = false; ///< whether edges also collapse into their ends
 };
 
 } // namespace carving::helper

@@ -56,7 +56,7 @@ SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
   return surface;
 }
 
-/** The remaining vertices and faces. Vertices that never moved keep their sources. */
+/** The remaining vertices and faces. Faces, and vertices that never moved, keep their sources. */
 DecimatedSurface Extract(const SurfaceMesh& surface, const ResolvedMesh& original)
 {
   DecimatedSurface result;
@@ -70,6 +70,7 @@ DecimatedSurface Extract(const SurfaceMesh& surface, const ResolvedMesh& origina
   }
   for (const Face face : surface.faces())
   {
+    result.FacetSources.push_back(original.FacetSources[face]);
     Triangle& t = result.Mesh.Triangles.emplace_back();
     HalfEdge h = surface.halfedge(face);
     for (int& corner : t)
@@ -81,7 +82,7 @@ DecimatedSurface Extract(const SurfaceMesh& surface, const ResolvedMesh& origina
   return result;
 }
 
-/** The largest distance of any point of the surface from the original. */
+/** The largest distance of any point of the surface from a mesh. */
 double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
 {
   std::vector<std::pair<double, Face>> candidates;
@@ -106,8 +107,9 @@ double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
 
 } // namespace
 
-std::string DecimateEnclosing(const TriangleMesh& given, const DecimationOptions& options,
-  std::vector<DecimatedSurface>& results, const Progress& progress)
+std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
+  const DecimationOptions& options, std::vector<DecimatedSurface>& results,
+  const Progress& progress)
 {
   ResolvedMesh original;
   const std::string mistake = Prepare(given, original);
@@ -115,15 +117,21 @@ std::string DecimateEnclosing(const TriangleMesh& given, const DecimationOptions
   {
     return mistake;
   }
-  const FaceDistance<3> distance(original);
-  Decimator decimator(AsSurfaceMesh(original), original, options.Nested);
+  const ResolvedMesh inside = Clean(AsResolved(mesh));
+  if (inside.Facets.empty())
+  {
+    return "The surface has no triangle with an area.";
+  }
+  const FaceDistance<3> distance(inside);
+  Decimator decimator(AsSurfaceMesh(original), inside, options.Nested);
   const bool byError = options.Type == DecimationTarget::ErrorBound;
   const double all = std::log(static_cast<double>(original.Points.size()));
   for (const double target : options.Targets)
   {
     if (byError)
     {
-      decimator.SetErrorBound(distance, target);
+      // The measured error may be 1 % too large; it has to be within the bound, too.
+      decimator.SetErrorBound(distance, target / 1.01);
     }
     bool stopped = false;
     long long calls = 0;
@@ -142,8 +150,8 @@ std::string DecimateEnclosing(const TriangleMesh& given, const DecimationOptions
       return "stopped";
     }
     results.push_back(Extract(decimator.GetSurface(), original));
-    results.back().Reached = reached || byError;
     results.back().Error = MeasureError(decimator.GetSurface(), distance);
+    results.back().Reached = byError ? results.back().Error <= target : reached;
   }
   GoOn(progress, 1.0);
   return {};

@@ -16,15 +16,17 @@ namespace carving::helper
 {
 
 /**
- * Decimates a closed surface, once per target. Every result is a closed, oriented manifold of the same topology that
- * encloses the surface and does not cross itself.
+ * Decimates a closed surface around a mesh, or the mesh itself, once per target. Every result is a closed, oriented
+ * manifold of the surface's topology that encloses the mesh and does not cross itself. Nested results enclose the surface,
+ * too.
  *
  * Equal points of the surface are merged, unless the surface is closed without that. The surface may be oriented
  * outward or inward. Appends to `results` in the order of `options.Targets`. Returns an empty string, or an error for the
  * user: the surface is open, not manifold or crosses itself.
  */
-std::string DecimateEnclosing(const TriangleMesh& surface, const DecimationOptions& options,
-  std::vector<DecimatedSurface>& results, const Progress& progress = {});
+std::string DecimateEnclosing(const TriangleMesh& surface, const TriangleMesh& mesh,
+  const DecimationOptions& options, std::vector<DecimatedSurface>& results,
+  const Progress& progress = {});
 
 } // namespace carving::helper
 

@@ -58,24 +58,24 @@ Quadric WithPull(Quadric quadric)
   return quadric;
 }
 
+} // namespace
+
 bool IsOutside(const EdgeStar& star, const Point& w)
 {
   const auto p = ToInexact(w);
   return std::all_of(star.Corners.begin(), star.Corners.end(),
-    [&p](const std::array<Point, 3>& c)
+    [&](const std::array<Point, 3>& c)
     {
-      return CGAL::orientation(ToInexact(c[0]), ToInexact(c[1]), ToInexact(c[2]), p) !=
-        CGAL::NEGATIVE;
+      return std::find(c.begin(), c.end(), w) != c.end() ||
+        CGAL::orientation(ToInexact(c[0]), ToInexact(c[1]), ToInexact(c[2]), p) != CGAL::NEGATIVE;
     });
 }
 
-} // namespace
-
-Placement::Placement(const ResolvedMesh& mesh, const Obstacle& obstacle)
+Placement::Placement(const std::vector<Point>& points, const Obstacle& obstacle)
   : M(obstacle)
-  , Diagonal(carving::Diagonal(mesh.Points))
+  , Diagonal(carving::Diagonal(points))
   , Slack(LeastSlack * this->Diagonal)
-  , Bounds(BoundingPolytope(mesh.Points, this->Slack))
+  , Bounds(BoundingPolytope(points, this->Slack))
 {
 }
 

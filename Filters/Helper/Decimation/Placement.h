@@ -28,11 +28,14 @@ struct LocalError
   }
 };
 
+/** Whether w is on the outer side of all faces of a star, exactly. */
+bool IsOutside(const EdgeStar& star, const Point& w);
+
 class Placement
 {
 public:
-  /** Positions stay near the convex hull of the obstacle, which must outlive this object. */
-  Placement(const ResolvedMesh& mesh, const Obstacle& obstacle);
+  /** Positions stay near the convex hull of the points. The obstacle must outlive this object. */
+  Placement(const std::vector<Point>& points, const Obstacle& obstacle);
 
   /** Lets positions be farther from the obstacle. Returns false if they may be as far as is sensible. */
   bool Widen();

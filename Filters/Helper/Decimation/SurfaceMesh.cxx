@@ -15,6 +15,16 @@ std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face)
     mesh.point(mesh.target(mesh.next(h))) };
 }
 
+std::vector<Point> PointsOf(const SurfaceMesh& mesh)
+{
+  std::vector<Point> points;
+  for (const Vertex v : mesh.vertices())
+  {
+    points.push_back(mesh.point(v));
+  }
+  return points;
+}
+
 bool IsConnectedWithoutCopies(const SurfaceMesh& mesh)
 {
   DisjointSets components(mesh.num_vertices());
@@ -22,13 +32,12 @@ bool IsConnectedWithoutCopies(const SurfaceMesh& mesh)
   {
     components.Unite(mesh.vertex(edge, 0), mesh.vertex(edge, 1));
   }
-  std::vector<Point> points;
   int numberOfComponents = 0;
   for (const Vertex v : mesh.vertices())
   {
-    points.push_back(mesh.point(v));
     numberOfComponents += components.Find(v) == static_cast<int>(v);
   }
+  std::vector<Point> points = PointsOf(mesh);
   std::sort(points.begin(), points.end());
   return numberOfComponents == 1 &&
     std::adjacent_find(points.begin(), points.end()) == points.end();

@@ -25,6 +25,8 @@ using Face = SurfaceMesh::Face_index;
 /** The corners of a face, counter-clockwise as seen from the outside. */
 std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face);
 
+std::vector<Point> PointsOf(const SurfaceMesh& mesh);
+
 /** Whether the surface has a single component, and no two vertices at the same position. */
 bool IsConnectedWithoutCopies(const SurfaceMesh& mesh);
 

@@ -25,6 +25,7 @@ Reply MakeReply()
   reply.StageSeconds = { 0.25, 0.5, 1.0 };
   DecimatedSurface& surface = reply.Surfaces.emplace_back();
   surface.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
+  surface.FacetSources = { 5 };
   surface.PointSources = { 5, -1, 6 };
   surface.Error = 0.5;
   surface.Reached = 0;
@@ -63,6 +64,8 @@ TEST(Protocol, RestoresAJob)
   job.InitialMesh = { { { 7, 8, 9 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
   job.Contours = { { { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 } } };
   job.InitialContours = { { { 3, 1, 0 }, { 4, 1, 0 } }, { { 1, 0 } } };
+  job.Surface.Points = { { 6.0, 7.0, 8.0 } };
+  job.Surface.Triangles = { { 0, 0, 0 } };
   job.Decimation = { DecimationTarget::ErrorBound, { 0.5, 0.25 }, 1 };
   const std::string bytes = Written(job);
   Job restored;
@@ -78,6 +81,8 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.Contours.Edges, job.Contours.Edges);
   EXPECT_EQ(restored.InitialContours.Points, job.InitialContours.Points);
   EXPECT_EQ(restored.InitialContours.Edges, job.InitialContours.Edges);
+  EXPECT_EQ(restored.Surface.Points, job.Surface.Points);
+  EXPECT_EQ(restored.Surface.Triangles, job.Surface.Triangles);
   EXPECT_EQ(restored.Decimation.Type, job.Decimation.Type);
   EXPECT_EQ(restored.Decimation.Targets, job.Decimation.Targets);
   EXPECT_EQ(restored.Decimation.Nested, job.Decimation.Nested);
@@ -101,6 +106,7 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.Surfaces[0].Mesh.Points, reply.Surfaces[0].Mesh.Points);
   EXPECT_EQ(restored.Surfaces[0].Mesh.Triangles, reply.Surfaces[0].Mesh.Triangles);
   EXPECT_EQ(restored.Surfaces[0].PointSources, reply.Surfaces[0].PointSources);
+  EXPECT_EQ(restored.Surfaces[0].FacetSources, reply.Surfaces[0].FacetSources);
   EXPECT_EQ(restored.Surfaces[0].Error, 0.5);
   EXPECT_EQ(restored.Surfaces[0].Reached, 0);
 }

@@ -37,7 +37,7 @@ std::vector<DecimatedSurface> Decimate(const TriangleMesh& mesh, std::vector<dou
   bool nested = false, DecimationTarget type = DecimationTarget::Vertices)
 {
   std::vector<DecimatedSurface> results;
-  EXPECT_EQ(DecimateEnclosing(mesh, { type, std::move(targets), nested }, results), "");
+  EXPECT_EQ(DecimateEnclosing(mesh, mesh, { type, std::move(targets), nested }, results), "");
   return results;
 }
 
@@ -81,18 +81,40 @@ std::vector<Triangle> WithPointsMerged(const TriangleMesh& mesh)
   return triangles;
 }
 
-/** Expects a closed surface without crossings around a mesh, with the same Euler characteristic. */
+int CountCrossings(const TriangleMesh& mesh)
+{
+  return checks::CountCrossings(mesh.Points, WithPointsMerged(mesh));
+}
+
+/**
+ * Expects a closed surface around a mesh with the Euler characteristic of the given surface. Of the
+ * given surface, only the two sides of folds may lie on each other.
+ */
+void ExpectEnclosingSurface(const TriangleMesh& given, const TriangleMesh& mesh,
+  const DecimatedSurface& result, std::mt19937_64& random)
+{
+  EXPECT_TRUE(checks::IsClosed(result.Mesh.Triangles));
+  EXPECT_LE(CountCrossings(result.Mesh), CountCrossings(given));
+  EXPECT_EQ(EulerCharacteristic(result.Mesh), EulerCharacteristic(given));
+  ExpectToEnclose(result.Mesh, mesh, random);
+}
+
+/** The same for a surface that does not touch itself and is the mesh. */
 void ExpectEnclosingSurface(
   const TriangleMesh& given, const DecimatedSurface& result, std::mt19937_64& random)
 {
-  EXPECT_TRUE(checks::IsClosed(result.Mesh.Triangles));
-  EXPECT_EQ(checks::CountCrossings(result.Mesh.Points, WithPointsMerged(result.Mesh)), 0);
-  EXPECT_EQ(EulerCharacteristic(result.Mesh), EulerCharacteristic(given));
-  ExpectToEnclose(result.Mesh, given, random);
+  EXPECT_EQ(CountCrossings(given), 0);
+  ExpectEnclosingSurface(given, given, result, random);
 }
 
-/** A level of a carving of a random mesh, cut into manifolds; empty if there is none. */
-TriangleMesh RandomLevel(std::mt19937_64& random)
+struct LevelOfMesh
+{
+  TriangleMesh Surface; ///< cut into manifolds; empty if there is none
+  TriangleMesh M;
+};
+
+/** A level of a carving of a random mesh. Folds show both sides. */
+LevelOfMesh RandomLevel(std::mt19937_64& random)
 {
   Job job;
   job.Mesh = models::MakeRandom(random).Mesh;
@@ -102,17 +124,18 @@ TriangleMesh RandomLevel(std::mt19937_64& random)
   {
     return {};
   }
-  const Carved carved = CarveResult(run.Reply.Result);
+  Carved carved = CarveResult(run.Reply.Result);
+  carved.Stored.Folds = FoldSides::Both;
   const int step = static_cast<int>(random() % (carved.Stream.LastStep() + 1));
-  const Level<3> level = ExtractLevel(carved.Stored, step);
-  const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, level);
-  TriangleMesh mesh;
-  mesh.Triangles = cut.Faces;
+  const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, ExtractLevel(carved.Stored, step));
+  const bool conforming = run.Reply.Result.Unresolved.Facets.empty();
+  const ResolvedMesh& m = conforming ? carved.Stored.Mesh.Surface : run.Reply.Result.Unresolved;
+  LevelOfMesh level = { { {}, cut.Faces }, { m.Points, m.Facets } };
   for (const int point : cut.Points)
   {
-    mesh.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);
+    level.Surface.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);
   }
-  return checks::IsClosed(mesh.Triangles) ? mesh : TriangleMesh();
+  return level;
 }
 
 } // namespace
@@ -174,20 +197,27 @@ TEST(Decimation, IsTighterWithoutNesting)
   EXPECT_LT(volume(tight[0]), volume(nested[0]));
 }
 
-// Levels of carvings, which touch themselves in copies of points, can be decimated.
+// Levels of carvings, which touch themselves in copies of points, can be decimated. Nested results enclose the level, all
+// others the mesh that has been carved.
 TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 {
   for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);
-    const TriangleMesh mesh = RandomLevel(random);
-    if (mesh.Points.size() > 4)
+    const LevelOfMesh level = RandomLevel(random);
+    if (level.Surface.Points.size() > 4)
     {
-      const double half = std::floor(mesh.Points.size() / 2.0);
-      for (const DecimatedSurface& result : Decimate(mesh, { half, half / 4 }, i % 2 == 0))
+      const bool nested = i % 2 == 0;
+      const TriangleMesh& inside = nested ? level.Surface : level.M;
+      const double half = std::floor(level.Surface.Points.size() / 2.0);
+      std::vector<DecimatedSurface> results;
+      ASSERT_EQ(DecimateEnclosing(level.Surface, inside,
+                  { DecimationTarget::Vertices, { half, half / 4 }, nested }, results),
+        "");
+      for (const DecimatedSurface& result : results)
       {
-        ExpectEnclosingSurface(mesh, result, random);
+        ExpectEnclosingSurface(level.Surface, inside, result, random);
       }
     }
   }
@@ -292,7 +322,7 @@ TEST(Decimation, RefusesWhatIsNoClosedSurface)
   const auto refusal = [](const TriangleMesh& mesh)
   {
     std::vector<DecimatedSurface> results;
-    return DecimateEnclosing(mesh, { DecimationTarget::Vertices, { 10 }, false }, results);
+    return DecimateEnclosing(mesh, mesh, { DecimationTarget::Vertices, { 10 }, false }, results);
   };
   EXPECT_NE(refusal(models::Sheet(2)).find("is open: 8 edges"), std::string::npos);
   TriangleMesh twisted = models::Tetrahedron();

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Levels that are carved first and decimated then. What decimated surfaces have to obey is tested
+ * with the helper.
+ */
+#include "FilterTesting.h"
+#include "Shapes.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkExtractCarvedLOD.h"
+#include "vtkFeatureEdges.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTopologyCarver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+/** Two tori, of 200 points each, with a gap between them. */
+vtkSmartPointer<vtkPolyData> TwoTori()
+{
+  const auto torus = models::Torus(1.0, 0.3, 20, 10);
+  return ToPolyData(models::Joined(torus, models::Moved(torus, { 0.0, 0.0, 1.0 })));
+}
+
+int CountEdgesOfOpenSurface(vtkPolyData* surface)
+{
+  vtkNew<vtkFeatureEdges> edges;
+  edges->SetInputData(surface);
+  edges->FeatureEdgesOff();
+  edges->ManifoldEdgesOff();
+  edges->Update();
+  return static_cast<int>(edges->GetOutput()->GetNumberOfCells());
+}
+
+void CarveSimplified(vtkTopologyCarver* carver, int type, const std::vector<double>& targets)
+{
+  carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
+  carver->SetLevelTargetType(type);
+  for (const double target : targets)
+  {
+    carver->AddLevelTarget(target);
+  }
+  Carve(carver, TwoTori());
+}
+
+} // namespace
+
+// Levels have the numbers of vertices or triangles that are asked for, and are closed.
+TEST(LevelSimplification, ReachesNumbers)
+{
+  for (const int type : { vtkTopologyCarver::VERTICES, vtkTopologyCarver::TRIANGLES })
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    CarveSimplified(carver, type, { 240, 40, 120 });
+    ASSERT_EQ(CountLevels(carver), 3);
+    for (int i = 0; i < 3; ++i)
+    {
+      vtkPolyData* level = GetLevel(carver, i);
+      const vtkIdType count = type == vtkTopologyCarver::VERTICES ? level->GetNumberOfPoints()
+                                                                  : level->GetNumberOfPolys();
+      EXPECT_LE(count, i == 0 ? 40 : i == 1 ? 120 : 240);
+      EXPECT_EQ(GetFieldValue(level, "Vertices"), level->GetNumberOfPoints());
+      EXPECT_EQ(GetFieldValue(level, "Triangles"), level->GetNumberOfPolys());
+      EXPECT_EQ(GetFieldText(level, "Kind"), "simplified");
+      EXPECT_EQ(CountEdgesOfOpenSurface(level), 0);
+    }
+  }
+}
+
+// A simplified level is closer to the mesh than a level of the carving with as many vertices.
+TEST(LevelSimplification, IsCloserThanASubset)
+{
+  vtkNew<vtkTopologyCarver> simplified, subset;
+  CarveSimplified(simplified, vtkTopologyCarver::VERTICES, { 120 });
+  subset->ComputeErrorOn();
+  subset->SetInputData(TwoTori());
+  CarveTo(subset, vtkTopologyCarver::VERTICES, 120);
+  EXPECT_LT(
+    GetFieldValue(LastLevel(simplified), "Error"), GetFieldValue(LastLevel(subset), "Error"));
+}
+
+// Numbers below that of the convex hull are reached, too.
+TEST(LevelSimplification, GoesBelowTheHull)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  CarveSimplified(carver, vtkTopologyCarver::VERTICES, { 10 });
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 10);
+  EXPECT_TRUE(messages.Warnings.empty());
+}
+
+// A number of tunnels and one of vertices can be limited at the same time.
+TEST(LevelSimplification, LimitsTunnelsAndVertices)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetMaximumVertices(50);
+  CarveSimplified(carver, vtkTopologyCarver::TUNNELS, { 0, 2 });
+  ASSERT_EQ(CountLevels(carver), 2);
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_LE(GetLevel(carver, i)->GetNumberOfPoints(), 50);
+    EXPECT_LE(GetFieldValue(GetLevel(carver, i), "SurfaceGenus"), 2 * i);
+  }
+}
+
+// Within an error bound, no level of the carving has as few vertices.
+TEST(LevelSimplification, StaysWithinAnErrorBound)
+{
+  vtkNew<vtkTopologyCarver> simplified, subset;
+  CarveSimplified(simplified, vtkTopologyCarver::ERROR_BOUND, { 0.1 });
+  subset->SetInputData(TwoTori());
+  CarveTo(subset, vtkTopologyCarver::ERROR_BOUND, 0.1);
+  EXPECT_LE(GetFieldValue(LastLevel(simplified), "Error"), 0.1);
+  EXPECT_LT(LastLevel(simplified)->GetNumberOfPoints(), LastLevel(subset)->GetNumberOfPoints());
+}
+
+// Without targets, levels have the vertex counts of those of the carving, and end in the same level.
+TEST(LevelSimplification, SpreadsLevelsAsBefore)
+{
+  vtkNew<vtkTopologyCarver> simplified, subset;
+  simplified->SetNumberOfLevels(5);
+  CarveSimplified(simplified, vtkTopologyCarver::VERTICES, {});
+  subset->SetNumberOfLevels(5);
+  Carve(subset, TwoTori());
+  ASSERT_EQ(CountLevels(simplified), CountLevels(subset));
+  for (int i = 0; i < CountLevels(subset); ++i)
+  {
+    EXPECT_LE(GetFieldValue(GetLevel(simplified, i), "Vertices"),
+      GetFieldValue(GetLevel(subset, i), "Vertices"));
+    EXPECT_TRUE(i == 0 || GetLevelStep(simplified, i) >= GetLevelStep(simplified, i - 1));
+  }
+  ExpectEqualData(LastLevel(simplified), LastLevel(subset));
+}
+
+// Open steps cannot be decimated: a warning says so, and a coarser step that is closed takes their place.
+TEST(LevelSimplification, PassesOverOpenSteps)
+{
+  const auto sheet = models::Sheet(3);
+  const auto sheets = ToPolyData(models::Joined(sheet, models::Moved(sheet, { 0.1, 0.2, 1.0 })));
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
+  carver->KeepBothFoldSidesOff();
+  carver->AddLevelTarget(20);
+  Messages messages(carver);
+  Carve(carver, sheets);
+  ASSERT_FALSE(messages.Warnings.empty());
+  EXPECT_TRUE(Has(messages.Warnings[0], "of the stream cannot be simplified. The surface is open"));
+  EXPECT_EQ(CountEdgesOfOpenSurface(LastLevel(carver)), 0);
+  EXPECT_LE(GetFieldValue(LastLevel(carver), "Vertices"), 20);
+}
+
+// New vertices have the point data of the closest point of the input, and triangles of the input keep their cells.
+TEST(LevelSimplification, PassesAttributesOn)
+{
+  const vtkSmartPointer<vtkPolyData> tori = TwoTori();
+  vtkNew<vtkFloatArray> heights;
+  heights->SetName("Height");
+  for (vtkIdType i = 0; i < tori->GetNumberOfPoints(); ++i)
+  {
+    heights->InsertNextValue(static_cast<float>(tori->GetPoint(i)[2]));
+  }
+  tori->GetPointData()->AddArray(heights);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
+  carver->AddLevelTarget(200);
+  Carve(carver, tori);
+  vtkPolyData* level = LastLevel(carver);
+  vtkDataArray* passed = level->GetPointData()->GetArray("Height");
+  ASSERT_TRUE(passed && level->GetCellData()->GetArray("vtkOriginalCellIds"));
+  for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+  {
+    // The closest point cannot be farther than the error of the level.
+    EXPECT_NEAR(passed->GetTuple1(i), level->GetPoint(i)[2], GetFieldValue(level, "Error") + 1e-6);
+  }
+}

@@ -113,6 +113,10 @@ int vtkEnclosingDecimation::FillOutputPortInformation(int port, vtkInformation* 
 int vtkEnclosingDecimation::RequestData(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
+  if (this->WasAborted)
+  {
+    this->SetAbortExecute(0); // not every version of the pipeline resets the request
+  }
   vtkPolyData* input = vtkPolyData::GetData(in[0]);
   vtkMultiBlockDataSet* all = vtkMultiBlockDataSet::GetData(out, 1);
   CarverInput gathered;
@@ -146,6 +150,7 @@ int vtkEnclosingDecimation::RequestData(
       return !IsAborted(this);
     },
     error);
+  this->WasAborted = IsAborted(this);
   if (outcome == HelperProcess::Outcome::Aborted)
   {
     return 1;

@@ -106,6 +106,7 @@ private:
   void operator=(const vtkEnclosingDecimation&) = delete;
 
   std::vector<double> AllTargets = { 1000.0 };
+  bool WasAborted = false; ///< by the last update
 };
 
 #endif

@@ -113,16 +113,16 @@ std::multiset<std::array<std::array<double, 3>, 3>> GetTriangles(vtkPolyData* me
 class Aborter
 {
 public:
-  Aborter(vtkCarverAlgorithm* carver, const std::string& stage, int reports = 1)
-    : Carver(carver)
+  Aborter(vtkAlgorithm* filter, const std::string& stage = "", int reports = 1)
+    : Filter(filter)
     , Stage(stage)
     , Reports(reports)
-    , Tag(carver->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
+    , Tag(filter->AddObserver(vtkCommand::ProgressEvent, this, &Aborter::Abort))
   {
   }
   ~Aborter()
   {
-    this->Carver->RemoveObserver(this->Tag);
+    this->Filter->RemoveObserver(this->Tag);
   }
 
   /** Negative if the filter went on after the abort. */
@@ -134,14 +134,14 @@ public:
 private:
   void Abort()
   {
-    const char* stage = this->Carver->GetProgressText();
-    if (stage && this->Stage == stage && --this->Reports <= 0)
+    const char* stage = this->Filter->GetProgressText();
+    if ((this->Stage.empty() || (stage && this->Stage == stage)) && --this->Reports <= 0)
     {
-      this->Carver->SetAbortExecute(1);
+      this->Filter->SetAbortExecute(1);
     }
   }
 
-  vtkCarverAlgorithm* Carver;
+  vtkAlgorithm* Filter;
   std::string Stage;
   int Reports;
   unsigned long Tag;

@@ -121,6 +121,24 @@ TEST(EnclosingDecimation, WarnsWhereItSticks)
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 6);
 }
 
+// An abort gives empty outputs without an error, and the next update works.
+TEST(EnclosingDecimation, CanBeAborted)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  filter->SetInputData(ToPolyData(models::Torus(1.0, 0.3, 150, 75)));
+  filter->SetTarget(100);
+  {
+    const Aborter aborter(filter);
+    filter->Update();
+  }
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  filter->SetTarget(9000);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 9000);
+  EXPECT_TRUE(messages.Errors.empty());
+}
+
 // An input that is not a closed surface without crossings is an error, after which the filter works.
 TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
 {

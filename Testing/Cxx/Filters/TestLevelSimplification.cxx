@@ -158,6 +158,22 @@ TEST(LevelSimplification, PassesOverOpenSteps)
   EXPECT_LE(GetFieldValue(LastLevel(carver), "Vertices"), 20);
 }
 
+// An abort gives empty output without an error, and the next update works.
+TEST(LevelSimplification, CanBeAborted)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  {
+    const Aborter aborter(carver, "simplify");
+    CarveSimplified(carver, vtkTopologyCarver::VERTICES, { 200 });
+  }
+  EXPECT_EQ(CountLevels(carver), 0);
+  carver->Modified();
+  carver->Update();
+  EXPECT_EQ(CountLevels(carver), 1);
+  EXPECT_TRUE(messages.Errors.empty());
+}
+
 // New vertices have the point data of the closest point of the input, and triangles of the input keep their cells.
 TEST(LevelSimplification, PassesAttributesOn)
 {

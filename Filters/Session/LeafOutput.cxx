@@ -60,6 +60,11 @@ template <int D>
 bool LeafOutput<D>::Write(
   vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
 {
+  const bool simplified = D == 3 && this->Settings.Simplify;
+  if (simplified && !this->Simplify(leaf, carved))
+  {
+    return false;
+  }
   const CarverStages::Timer timer(this->Stages, OutputStage);
   this->PassFieldData(input);
   std::vector<std::string> notes = leaf.Input.Notes;
@@ -69,8 +74,7 @@ bool LeafOutput<D>::Write(
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
   this->WriteStream(attributes, leaf, carved, grid);
   FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
-  const bool simplified = D == 3 && this->Settings.Simplify;
-  if (simplified ? !this->WriteSimplifiedLevels(attributes, leaf, carved, grid)
+  if (simplified ? !this->WriteSimplifiedLevels(attributes, carved, grid)
                  : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
   {
     return false;
@@ -204,8 +208,7 @@ std::vector<LevelSimplifier::Request> LeafOutput<D>::MakeRequests(const carving:
 }
 
 template <int D>
-bool LeafOutput<D>::WriteSimplifiedLevels(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
-  const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+bool LeafOutput<D>::Simplify(const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
 {
   if constexpr (D == 3)
   {
@@ -218,7 +221,7 @@ bool LeafOutput<D>::WriteSimplifiedLevels(vtkPolyData* attributes, const Decompo
       : target == LevelTarget::ErrorBound                          ? DecimationTarget::ErrorBound
                                                                    : DecimationTarget::Vertices;
     // Steps that have no more than the target are levels as they are.
-    const auto isSimple = [&](const LevelSimplifier::Request& request)
+    const auto isCarved = [&](const LevelSimplifier::Request& request)
     {
       const std::vector<int>& counts =
         type == DecimationTarget::Triangles ? profile.Triangles : profile.Vertices;
@@ -226,10 +229,10 @@ bool LeafOutput<D>::WriteSimplifiedLevels(vtkPolyData* attributes, const Decompo
     };
     const std::vector<LevelSimplifier::Request> requests = this->MakeRequests(profile);
     std::vector<LevelSimplifier::Request> open;
-    std::remove_copy_if(requests.begin(), requests.end(), std::back_inserter(open), isSimple);
-    std::vector<SimplifiedLevel> simplified;
+    std::remove_copy_if(requests.begin(), requests.end(), std::back_inserter(open), isCarved);
+    std::vector<SimplifiedLevel> levels;
     std::vector<std::string> problems;
-    if (!LevelSimplifier(leaf, carved, this->Stages).Run(type, open, simplified, problems))
+    if (!LevelSimplifier(leaf, carved, this->Stages).Run(type, open, levels, problems))
     {
       return false;
     }
@@ -237,27 +240,46 @@ bool LeafOutput<D>::WriteSimplifiedLevels(vtkPolyData* attributes, const Decompo
     {
       vtkWarningWithObjectMacro(this->Filter, << problem);
     }
-    auto next = simplified.begin();
-    for (std::size_t i = 0; i < requests.size(); ++i)
+    auto next = levels.begin();
+    for (const LevelSimplifier::Request& request : requests)
     {
-      vtkNew<vtkPolyData> level;
-      const bool asCarved = isSimple(requests[i]);
-      if (asCarved || next->Faces.empty())
+      this->Simplified.push_back(isCarved(request) ? SimplifiedLevel() : *next++);
+      if (this->Simplified.back().Faces.empty())
       {
-        const int step = asCarved ? requests[i].LastStep
-                                  : carving::SelectStep(profile, target, requests[i].Target).Step;
-        FillLevel(carved.Stream, profile, grid, carving::ExtractLevel(carved.Stream, step),
-          this->Settings.ManifoldOutput, level);
+        this->Simplified.back().Step = isCarved(request)
+          ? request.LastStep
+          : carving::SelectStep(profile, target, request.Target).Step;
       }
-      else
-      {
-        FillSimplifiedLevel(carved.Stream, profile, attributes, grid, *next, level);
-      }
-      next += asCarved ? 0 : 1;
-      this->SetLevel(static_cast<unsigned int>(i), level);
     }
   }
-  return this->Stages.Report(OutputStage, 0.5);
+  return true;
+}
+
+template <int D>
+bool LeafOutput<D>::WriteSimplifiedLevels(
+  vtkPolyData* attributes, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+{
+  for (std::size_t i = 0; i < this->Simplified.size(); ++i)
+  {
+    const SimplifiedLevel& simplified = this->Simplified[i];
+    vtkNew<vtkPolyData> level;
+    if (simplified.Faces.empty())
+    {
+      FillLevel(carved.Stream, carved.Profile, grid,
+        carving::ExtractLevel(carved.Stream, simplified.Step), this->Settings.ManifoldOutput,
+        level);
+    }
+    else if constexpr (D == 3)
+    {
+      FillSimplifiedLevel(carved.Stream, carved.Profile, attributes, grid, simplified, level);
+    }
+    this->SetLevel(static_cast<unsigned int>(i), level);
+    if (!this->Stages.Report(OutputStage, (i + 1.0) / (this->Simplified.size() + 1.0)))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 template <int D>

@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compare simplified levels with CGAL's alpha wrap and VTK's quadric decimation at equal numbers of vertices.
+
+usage: compare_levels.py CARVE ALPHA_WRAP MESH...
+
+Prints a table in Markdown: distances of the level from the mesh as thousandths of the mesh's diagonal (the largest, and
+the mean over the surface), the share of the mesh's vertices that lie outside, and seconds. Distances are measured at
+the level's vertices and at random points of its triangles, so that the largest is a lower bound. The carved level has
+at most as many vertices as asked for, or the hull's if these are more.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkQuadricDecimation
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
+
+TARGETS = (200, 500, 1000, 2000, 5000)
+SAMPLES = 20000
+
+
+def read_off(path):
+    with open(path, encoding="ascii") as file:
+        words = file.read().split()
+    count, faces = int(words[1]), int(words[2])
+    points = np.array(words[4:4 + 3 * count], dtype=float).reshape(-1, 3)
+    cells = np.array(words[4 + 3 * count:4 + 3 * count + 4 * faces], dtype=np.int64).reshape(-1, 4)
+    return points, cells[:, 1:]
+
+
+def write_off(path, points, triangles):
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
+        np.savetxt(file, points, "%.17g")
+        np.savetxt(file, np.insert(triangles, 0, 3, axis=1), "%d")
+
+
+def to_poly_data(points, triangles):
+    data, coordinates, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    coordinates.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    data.SetPoints(coordinates)
+    for triangle in triangles:
+        cells.InsertNextCell(3, triangle.tolist())
+    data.SetPolys(cells)
+    return data
+
+
+def to_arrays(data):
+    return vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def random_points(points, triangles):
+    """Points that are evenly distributed over the surface."""
+    random = np.random.default_rng(0)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    chosen = random.choice(len(triangles), SAMPLES, p=areas / areas.sum())
+    weights = random.dirichlet((1.0, 1.0, 1.0), SAMPLES)
+    return sum(weights[:, i:i + 1] * points[triangles[chosen, i]] for i in range(3))
+
+
+def distances(locator, points):
+    closest, cell, sub, squared = [0.0] * 3, reference(0), reference(0), reference(0.0)
+    found = []
+    for point in points:
+        locator.FindClosestPoint(point, closest, cell, sub, squared)
+        found.append(float(squared) ** 0.5)
+    return np.array(found)
+
+
+def judge(mesh, level):
+    """The largest and mean distance as thousandths of the diagonal, and the share of the mesh's vertices outside."""
+    points, triangles = level
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(to_poly_data(*mesh))
+    locator.BuildLocator()
+    diagonal = np.linalg.norm(mesh[0].max(axis=0) - mesh[0].min(axis=0))
+    sampled = distances(locator, random_points(points, triangles))
+    largest = max(sampled.max(), distances(locator, points).max())
+    signed = vtkImplicitPolyDataDistance()
+    signed.SetInput(to_poly_data(points, triangles))
+    vertices = mesh[0][::max(1, len(mesh[0]) // 2000)]
+    outside = np.mean([signed.EvaluateFunction(p) > 1e-9 * diagonal for p in vertices])
+    return 1000.0 * largest / diagonal, 1000.0 * sampled.mean() / diagonal, outside
+
+
+def run_carve(carve, path, target, folder, *options):
+    output = os.path.join(folder, "level.vtm")
+    start = time.perf_counter()
+    subprocess.run([carve, path, "--vertices", str(target), "-o", output, *options], check=True,
+                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    seconds = time.perf_counter() - start
+    reader = vtkXMLMultiBlockDataReader()
+    reader.SetFileName(output)
+    reader.Update()
+    return to_arrays(reader.GetOutput().GetBlock(0)), seconds
+
+
+def run_alpha_wrap(program, path, target, folder):
+    output = os.path.join(folder, "wrap.off")
+    run = subprocess.run([program, path, output, str(target)], check=True, capture_output=True, text=True)
+    return read_off(output), float(run.stdout)
+
+
+def run_quadric(mesh, target):
+    decimation = vtkQuadricDecimation()
+    decimation.SetInputData(to_poly_data(*mesh))
+    decimation.SetTargetReduction(max(0.0, 1.0 - 2.0 * target / len(mesh[1])))
+    start = time.perf_counter()
+    decimation.Update()
+    seconds = time.perf_counter() - start
+    points, triangles = to_arrays(decimation.GetOutput())
+    used, triangles = np.unique(triangles, return_inverse=True)
+    return (points[used].astype(float), triangles.reshape(-1, 3)), seconds
+
+
+def compare(carve, alpha_wrap, path):
+    mesh = read_off(path)
+    name = os.path.splitext(os.path.basename(path))[0]
+    with tempfile.TemporaryDirectory() as folder:
+        # All programs read the same file, which has triangles only.
+        plain = os.path.join(folder, "mesh.off")
+        write_off(plain, *mesh)
+        for target in TARGETS:
+            if 2 * target > len(mesh[0]):
+                break
+            for method, run in (
+                    ("carve --simplify", lambda: run_carve(carve, plain, target, folder, "--simplify")),
+                    ("carve", lambda: run_carve(carve, plain, target, folder)),
+                    ("alpha wrap", lambda: run_alpha_wrap(alpha_wrap, plain, target, folder)),
+                    ("vtkQuadricDecimation", lambda: run_quadric(mesh, target))):
+                level, seconds = run()
+                largest, mean, outside = judge(mesh, level)
+                print(f"| {name} ({len(mesh[0])}) | {target} | {method} | {len(level[0])} | {largest:.2f} | "
+                      f"{mean:.3f} | {100.0 * outside:.1f} % | {seconds:.2f} |", flush=True)
+
+
+def main():
+    if len(sys.argv) < 4:
+        sys.exit(__doc__)
+    print("| mesh (vertices) | target | method | vertices | largest | mean | outside | seconds |")
+    print("|---|---|---|---|---|---|---|---|")
+    for path in sys.argv[3:]:
+        compare(sys.argv[1], sys.argv[2], path)
+
+
+if __name__ == "__main__":
+    main()

@@ -24,7 +24,8 @@
  * triangle of M with solid on neither side, shows once, oriented as in M. Vertices are doubles and
  * bit for bit those of the input. Triangles of the input that cross each other are split first.
  * Only the points of these splits are new, and Steiner points in the carved space where the
- * tetrahedralization needs some.
+ * tetrahedralization needs some. With LevelSimplification, levels are decimated, and have other new
+ * vertices, too.
  *
  * Arrays of a level:
  * - cells: `Priority` and `Depth` (doubles: q(t) d(t)^-dp and d(t) of equation (2)) of the
@@ -34,8 +35,8 @@
  *   the input on new points; `vtkOriginalPointIds`, -1 for a new point; `SnapDistance`, only of a
  *   snapped mesh: the distance that the point was moved. A point that was moved is one of the
  *   `NewVertices`.
- * - field data, on how the level was made: `Step`; `Kind`, "carved" or, for the level that
- *   AppendInput appends, "input"; `Strategy`, how the mesh was tetrahedralized (see below);
+ * - field data, on how the level was made: `Step`; `Kind`, "carved", "simplified" (see
+ *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the mesh was tetrahedralized (see below);
  *   `KeptDistance`, only of a mesh that is enclosed: the distance that the pierced tetrahedra reach
  *   from the mesh, to 5 %; `SnapDistance`, only of a snapped mesh: the largest distance that a
  *   point was moved.

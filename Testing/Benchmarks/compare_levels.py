@@ -19,7 +19,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
-from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance, vtkQuadricDecimation
+from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 TARGETS = (200, 500, 1000, 2000, 5000)
@@ -75,19 +75,33 @@ def distances(locator, points):
     return np.array(found)
 
 
+def winding_number(points, triangles, p):
+    """How often the surface encloses p: the sum of the solid angles of its triangles."""
+    a, b, c = (points[triangles[:, i]] - p for i in range(3))
+    x, y, z = (np.linalg.norm(corner, axis=1) for corner in (a, b, c))
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+    cosine = (x * y * z + np.einsum("ij,ij->i", a, b) * z + np.einsum("ij,ij->i", b, c) * x +
+              np.einsum("ij,ij->i", c, a) * y)
+    return np.arctan2(volume, cosine).sum() / (2.0 * np.pi)
+
+
+def locate(points, triangles):
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(to_poly_data(points, triangles))
+    locator.BuildLocator()
+    return locator
+
+
 def judge(mesh, level):
     """The largest and mean distance as thousandths of the diagonal, and the share of the mesh's vertices outside."""
     points, triangles = level
-    locator = vtkStaticCellLocator()
-    locator.SetDataSet(to_poly_data(*mesh))
-    locator.BuildLocator()
+    locator = locate(*mesh)
     diagonal = np.linalg.norm(mesh[0].max(axis=0) - mesh[0].min(axis=0))
     sampled = distances(locator, random_points(points, triangles))
     largest = max(sampled.max(), distances(locator, points).max())
-    signed = vtkImplicitPolyDataDistance()
-    signed.SetInput(to_poly_data(points, triangles))
     vertices = mesh[0][::max(1, len(mesh[0]) // 2000)]
-    outside = np.mean([signed.EvaluateFunction(p) > 1e-9 * diagonal for p in vertices])
+    off = distances(locate(points, triangles), vertices) > 1e-9 * diagonal
+    outside = np.mean([far and winding_number(points, triangles, p) < 0.5 for far, p in zip(off, vertices)])
     return 1000.0 * largest / diagonal, 1000.0 * sampled.mean() / diagonal, outside
 
 

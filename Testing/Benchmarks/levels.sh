@@ -7,7 +7,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 
-require_packages "${build_packages[@]}" "${picture_packages[@]}" python3-numpy
+require_packages "${build_packages[@]}" "${picture_packages[@]}" libgtest-dev python3-numpy
 targets="carve carving-helper alpha-wrap" build benchmark -DTOPOLOGYCARVING_PEERS=ON
 
 meshes=("$@")

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 vtkStandardNewMacro(vtkEnclosingDecimation);
 
@@ -51,12 +50,13 @@ void FillSurface(const carving::DecimatedSurface& surface, vtkPolyData* input, v
   }
   output->SetPolys(triangles);
   vtkFieldData* fieldData = output->GetFieldData();
-  AddFieldValue<vtkIntArray>(fieldData, "Vertices", static_cast<int>(points.Points.size()));
-  AddFieldValue<vtkIntArray>(fieldData, "NewVertices",
+  AddFieldValue<vtkIntArray>(
+    fieldData, LevelArrays::Vertices, static_cast<int>(points.Points.size()));
+  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::NewVertices,
     static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1)));
   AddFieldValue<vtkIntArray>(
-    fieldData, "Triangles", static_cast<int>(surface.Mesh.Triangles.size()));
-  AddFieldValue<vtkDoubleArray>(fieldData, "Error", surface.Error);
+    fieldData, LevelArrays::Triangles, static_cast<int>(surface.Mesh.Triangles.size()));
+  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, surface.Error);
 }
 
 } // namespace

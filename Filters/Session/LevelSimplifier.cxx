@@ -88,10 +88,6 @@ std::vector<LevelSimplifier::Trial> LevelSimplifier::PlanTrials(
     const double least = type == DecimationTarget::Vertices ? targets.back()
       : type == DecimationTarget::Triangles                 ? targets.back() / 2.0
                                                             : 0.0;
-    if (type == DecimationTarget::ErrorBound)
-    {
-      std::sort(targets.begin(), targets.end());
-    }
     for (const int step : SelectTrials(this->Carved.Profile, first->LastStep, least))
     {
       Trial& trial = trials.emplace_back();

@@ -13,7 +13,7 @@ namespace carving::helper
 namespace
 {
 
-/** From this number of vertices on, the inward slide of every candidate orders the queue: better, but slower. */
+/** At most so many vertices: the inward slide of every candidate orders the queue, which is better, but slower. */
 constexpr SurfaceMesh::size_type FewVertices = 2000;
 
 /** Queries for the distance of a face within an error bound. */
@@ -59,7 +59,7 @@ void Decimator::AddPlanes()
     const double length = Length(normal);
     if (length > 0.0)
     {
-      const Point n = { normal[0] / length, normal[1] / length, normal[2] / length };
+      const Point n = normal / length;
       for (const Vertex v : CGAL::vertices_around_face(this->Surface.halfedge(face), this->Surface))
       {
         this->Quadrics[v].AddPlane(n, a - this->Origin, length);

@@ -147,7 +147,7 @@ void ContactSearch::Set(double time, const Point& normal, const Point& p)
   const double length = Length(normal);
   if (length > 0.0)
   {
-    const Point n = { normal[0] / length, normal[1] / length, normal[2] / length };
+    const Point n = normal / length;
     this->Time = time;
     this->Allowed = { n, Dot(n, p) + this->Margin };
   }
@@ -155,8 +155,7 @@ void ContactSearch::Set(double time, const Point& normal, const Point& p)
 
 Point ContactSearch::PositionAt(double time) const
 {
-  return { this->From[0] + time * this->Along[0], this->From[1] + time * this->Along[1],
-    this->From[2] + time * this->Along[2] };
+  return this->From + time * this->Along;
 }
 
 } // namespace carving::helper

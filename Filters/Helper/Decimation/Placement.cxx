@@ -103,7 +103,7 @@ std::optional<Point> Placement::FindOutward(const EdgeStar& star, const LocalErr
     const double length = Length(normal);
     if (length > 0.0)
     {
-      const Point n = { normal[0] / length, normal[1] / length, normal[2] / length };
+      const Point n = normal / length;
       this->Current.push_back({ n, Dot(n, a - error.Origin) });
     }
   }
@@ -144,7 +144,7 @@ std::optional<Point> Placement::Minimize(const LocalError& error)
     {
       return std::nullopt;
     }
-    const Point w = { error.Origin[0] + x[0], error.Origin[1] + x[1], error.Origin[2] + x[2] };
+    const Point w = error.Origin + x;
     bool within = true;
     for (const HalfSpace& bound : this->Bounds)
     {

@@ -23,6 +23,15 @@ Box::Box()
   this->Upper.fill(-std::numeric_limits<double>::infinity());
 }
 
+Box::Box(std::initializer_list<Point> points)
+  : Box()
+{
+  for (const Point& p : points)
+  {
+    this->Add(p);
+  }
+}
+
 void Box::Add(const Point& p)
 {
   for (int i = 0; i < 3; ++i)

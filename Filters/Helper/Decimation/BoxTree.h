@@ -8,6 +8,7 @@
 
 #include "Core/Mesh/Mesh.h"
 
+#include <initializer_list>
 #include <vector>
 
 namespace carving::helper
@@ -19,6 +20,7 @@ struct Box
   Point Lower, Upper;
 
   Box();
+  explicit Box(std::initializer_list<Point> points);
   void Add(const Point& p);
   void Add(const Box& other);
   bool Contains(const Point& p) const

@@ -275,12 +275,7 @@ bool Decimator::SweepsOver(const EdgeStar& star, const Point& w) const
     {
       std::swap(swept[0], swept[1]);
     }
-    Box box;
-    for (const Point& p : { a, b, c, w })
-    {
-      box.Add(p);
-    }
-    this->Tree.ForEachOverlap(box,
+    this->Tree.ForEachOverlap(Box({ a, b, c, w }),
       [&](int index)
       {
         const Face face(index);
@@ -320,12 +315,7 @@ bool Decimator::Crosses(const EdgeStar& star, const Point& w) const
   bool crosses = false;
   for (std::size_t i = 0; i < fan.size() && !crosses; ++i)
   {
-    Box box;
-    for (const Point& p : { star.Link[i][0], star.Link[i][1], w })
-    {
-      box.Add(p);
-    }
-    this->Tree.ForEachOverlap(box,
+    this->Tree.ForEachOverlap(Box({ star.Link[i][0], star.Link[i][1], w }),
       [&](int index)
       {
         const Face face(index);
@@ -359,15 +349,9 @@ void Decimator::Collapse(HalfEdge edge, const EdgeStar& star, const Point& w)
   this->Quadrics[vertex] = quadric;
   for (std::size_t i = 0; i < star.Faces.size(); ++i)
   {
-    Box box;
-    if (i < star.Link.size())
-    {
-      for (const Point& p : { star.Link[i][0], star.Link[i][1], w })
-      {
-        box.Add(p);
-      }
-    }
-    this->Tree.Update(static_cast<int>(star.Faces[i]), box);
+    const bool remains = i < star.Link.size();
+    this->Tree.Update(static_cast<int>(star.Faces[i]),
+      remains ? Box({ star.Link[i][0], star.Link[i][1], w }) : Box());
   }
   this->PushAround(vertex);
   if (2 * this->Surface.number_of_faces() < this->FacesAtBuild)

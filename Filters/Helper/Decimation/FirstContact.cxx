@@ -90,9 +90,7 @@ void ContactSearch::AddVertex(const Point& m)
 /** The edge of the fan from A to w runs into an edge. */
 void ContactSearch::AddEdge(const Point& p, const Point& q)
 {
-  Box bounds;
-  bounds.Add(p);
-  bounds.Add(q);
+  const Box bounds({ p, q });
   for (const FanFace& face : this->Faces)
   {
     const Point& a = face.A;

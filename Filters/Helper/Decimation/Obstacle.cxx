@@ -120,15 +120,10 @@ bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, con
   bool allowed = true;
   for (const auto& [a, b, c] : faces)
   {
-    Box box;
-    for (const Point& p : { a, b, c, w })
-    {
-      box.Add(p);
-    }
     // w is behind the face, so that this order is positive.
     const Corners4 tetrahedron = { helper::ToInexact(a), helper::ToInexact(c), helper::ToInexact(b),
       helper::ToInexact(w) };
-    this->Tree.ForEachOverlap(box,
+    this->Tree.ForEachOverlap(Box({ a, b, c, w }),
       [&](int t)
       {
         if (allowed)

@@ -30,7 +30,7 @@ ROOMS = {
     "Process": "Core/Protocol",
     "Convert": "Core/Mesh Core/Stream Core/Surface Core/Measure",
     "Objects": "Convert",
-    "Session": "Core/Carving Core/Stream Core/Measure Core/Protocol Process Convert Objects",
+    "Session": "Core/Carving Core/Stream Core/Surface Core/Measure Core/Protocol Process Convert Objects",
     "": "Core/Measure Process Convert Objects Session",
 }
 # Programs and plugins see the public headers alone, besides their own.

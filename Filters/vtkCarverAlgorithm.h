@@ -382,7 +382,8 @@ public:
    * the closest level of several trials: steps at halved numbers of vertices, decimated to the
    * target. C0's own number is no limit. ERROR_BOUND gives the level with the fewest vertices that
    * the trials find within the distance. For all other targets, see MaximumVertices. The helper
-   * program runs once for each trial. The stored stream on port 1 does not have these levels.
+   * program runs once for each trial. The stored stream on port 1 keeps the decimated steps, from
+   * which vtkExtractCarvedLOD gives simplified levels.
    */
   vtkSetClampMacro(LevelSimplification, int, SUBSET, ENCLOSING_COLLAPSE);
   vtkGetMacro(LevelSimplification, int);

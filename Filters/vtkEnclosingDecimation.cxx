@@ -36,15 +36,21 @@ static_assert(IsSame(vtkEnclosingDecimation::VERTICES, carving::DecimationTarget
     IsSame(vtkEnclosingDecimation::ERROR_BOUND, carving::DecimationTarget::ErrorBound),
   "the targets are cast");
 
-void FillSurface(const carving::DecimatedSurface& surface, vtkPolyData* input, vtkPolyData* output)
+void FillSurface(const carving::Decimation& decimation, const carving::DecimatedSurface& result,
+  vtkPolyData* input, vtkPolyData* output)
 {
+  const carving::CollapsedSurface surface =
+    carving::ExtractSurface(decimation.Chain, result.Collapses);
   carving::ResolvedMesh points;
-  points.Points = surface.Mesh.Points;
-  points.PointSources = surface.PointSources;
+  for (const int point : surface.Points)
+  {
+    points.Points.push_back(decimation.Points[point]);
+    points.PointSources.push_back(decimation.PointSources[point]);
+  }
   FillPoints<3>(points, input, output);
   vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(surface.Mesh.Triangles.size(), 3 * surface.Mesh.Triangles.size());
-  for (const auto& [a, b, c] : surface.Mesh.Triangles)
+  triangles->AllocateExact(surface.Triangles.size(), 3 * surface.Triangles.size());
+  for (const auto& [a, b, c] : surface.Triangles)
   {
     triangles->InsertNextCell({ a, b, c });
   }
@@ -55,8 +61,8 @@ void FillSurface(const carving::DecimatedSurface& surface, vtkPolyData* input, v
   AddFieldValue<vtkIntArray>(fieldData, LevelArrays::NewVertices,
     static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1)));
   AddFieldValue<vtkIntArray>(
-    fieldData, LevelArrays::Triangles, static_cast<int>(surface.Mesh.Triangles.size()));
-  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, surface.Error);
+    fieldData, LevelArrays::Triangles, static_cast<int>(surface.Triangles.size()));
+  AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, result.Error);
 }
 
 } // namespace
@@ -161,18 +167,20 @@ int vtkEnclosingDecimation::RequestData(
     vtkErrorMacro(<< error);
     return 0;
   }
-  for (std::size_t i = reply.Surfaces.size(); i-- > 0;)
+  const carving::Decimation& decimation = reply.Decimation;
+  for (std::size_t i = decimation.Surfaces.size(); i-- > 0;)
   {
-    const carving::DecimatedSurface& surface = reply.Surfaces[i];
+    const carving::DecimatedSurface& surface = decimation.Surfaces[i];
     if (!surface.Reached)
     {
       vtkWarningMacro(<< "The target of " << job.Decimation.Targets[i]
-                      << " is out of reach: the coarsest surface has " << surface.Mesh.Points.size()
+                      << " is out of reach: the coarsest surface has "
+                      << decimation.Chain.Vertices - surface.Collapses
                       << " vertices. No further edge can collapse "
                       << "without a change of topology or a crossing.");
     }
     vtkNew<vtkPolyData> level;
-    FillSurface(surface, input, level);
+    FillSurface(decimation, surface, input, level);
     const unsigned int block = all->GetNumberOfBlocks();
     all->SetBlock(block, level);
     SetBlockName(all, block, "LOD " + std::to_string(block));

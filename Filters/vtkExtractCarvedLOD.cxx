@@ -129,6 +129,11 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
     range[1] = found ? std::max(range[1], greatest) : greatest;
     found = true;
   }
+  if (found && this->LevelSimplification == ENCLOSING_COLLAPSE)
+  {
+    range[0] = std::min(range[0],
+      this->Streams->FindLeastTarget(GetInputOf(this), static_cast<carving::LevelTarget>(type)));
+  }
   return found;
 }
 
@@ -217,31 +222,52 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
     vtkErrorMacro(<< stream.Error);
     return false;
   }
-  carving::SelectedStep selected = { 0, {} };
-  if (time)
+  const bool inPlane = GetStreamDimension(grid) == 2;
+  const std::string problem = this->LevelSimplification == ENCLOSING_COLLAPSE && !inPlane
+    ? this->ExtractSimplified(grid, stream, time, level)
+    : this->ExtractCarved(grid, stream, time, level);
+  if (!problem.empty())
   {
-    selected.Step = stream.GetStepOfTime(*time, this->NumberOfTimeSteps);
-  }
-  else
-  {
-    selected = carving::SelectStep(
-      stream.Profile, static_cast<carving::LevelTarget>(this->LevelTargetType), this->LevelTarget);
-  }
-  if (!selected.Problem.empty())
-  {
-    vtkWarningMacro(<< selected.Problem);
-  }
-  if (GetStreamDimension(grid) == 2)
-  {
-    FillLevel(stream.Plane, stream.Profile, grid,
-      carving::ExtractLevel(stream.Plane, selected.Step), this->ManifoldOutput, level);
-  }
-  else
-  {
-    FillLevel(stream.Space, stream.Profile, grid,
-      carving::ExtractLevel(stream.Space, selected.Step), this->ManifoldOutput, level);
+    vtkWarningMacro(<< problem);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkExtractCarvedLOD::ExtractCarved(
+  vtkUnstructuredGrid* grid, PreparedStream& stream, const double* time, vtkPolyData* level)
+{
+  const auto type = static_cast<carving::LevelTarget>(this->LevelTargetType);
+  const auto [step, problem] = time
+    ? carving::SelectedStep{ stream.GetStepOfTime(*time, this->NumberOfTimeSteps), {} }
+    : carving::SelectStep(stream.Profile, type, this->LevelTarget);
+  if (GetStreamDimension(grid) == 2)
+  {
+    FillLevel(stream.Plane, stream.Profile, grid, carving::ExtractLevel(stream.Plane, step),
+      this->ManifoldOutput, level);
+  }
+  else
+  {
+    FillLevel(stream.Space, stream.Profile, grid, carving::ExtractLevel(stream.Space, step),
+      this->ManifoldOutput, level);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkExtractCarvedLOD::ExtractSimplified(
+  vtkUnstructuredGrid* grid, PreparedStream& stream, const double* time, vtkPolyData* level)
+{
+  using carving::LevelTarget;
+  const carving::Profile& profile = stream.Profile;
+  const carving::SimplifiedTarget target = time
+    ? carving::MakeSimplifiedTarget(profile, LevelTarget::Vertices,
+        profile.Vertices[stream.GetStepOfTime(*time, this->NumberOfTimeSteps)], 0)
+    : carving::MakeSimplifiedTarget(profile, static_cast<LevelTarget>(this->LevelTargetType),
+        this->LevelTarget, this->MaximumVertices);
+  return target.Problem +
+    FillSimplifiedLevel(
+      stream.Space, stream.Simplified, profile, grid, target, this->ManifoldOutput, level);
 }
 
 //------------------------------------------------------------------------------
@@ -251,6 +277,9 @@ void vtkExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelTargetType: "
      << carving::LevelTargetName(static_cast<carving::LevelTarget>(this->LevelTargetType)) << "\n";
   os << indent << "LevelTarget: " << this->LevelTarget << "\n";
+  os << indent << "LevelSimplification: "
+     << (this->LevelSimplification == SUBSET ? "SUBSET" : "ENCLOSING_COLLAPSE") << "\n";
+  os << indent << "MaximumVertices: " << this->MaximumVertices << "\n";
   os << indent << "ManifoldOutput: " << (this->ManifoldOutput ? "On" : "Off") << "\n";
   os << indent << "FollowTime: " << (this->FollowTime ? "On" : "Off") << "\n";
   os << indent << "NumberOfTimeSteps: " << this->NumberOfTimeSteps << "\n";

@@ -24,8 +24,10 @@
 #include "vtkTopologyCarvingModule.h" // for export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for problems
 
 class PreparedStreams;
+struct PreparedStream;
 class vtkMultiBlockDataSet;
 class vtkTable;
 class vtkUnstructuredGrid;
@@ -51,6 +53,13 @@ public:
     STEP = 6
   };
 
+  /** Whether levels are simplified ones. */
+  enum LevelSimplifications
+  {
+    SUBSET = 0,
+    ENCLOSING_COLLAPSE = 1
+  };
+
   ///@{
   /**
    * The quantity that the target bounds: VERTICES (default), TRIANGLES, FEATURE_SIZE, TUNNELS,
@@ -70,6 +79,25 @@ public:
    */
   vtkSetClampMacro(LevelTarget, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LevelTarget, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether levels are steps of the carving (SUBSET, the default) or simplified levels
+   * (ENCLOSING_COLLAPSE), which a carver stores that has its LevelSimplification on. The stream has
+   * the decimated steps that were best for the carver's targets, collapse by collapse, so that
+   * numbers of vertices and triangles between those targets are reached, too. `Error` is then NaN,
+   * except at the carver's targets. ERROR_BOUND gives the coarsest level that was made within the
+   * bound. What is not stored gives the closest level, and a warning. Without effect on contours.
+   */
+  vtkSetClampMacro(LevelSimplification, int, SUBSET, ENCLOSING_COLLAPSE);
+  vtkGetMacro(LevelSimplification, int);
+  ///@}
+
+  ///@{
+  /** See vtkTopologyCarver. Default 0: no limit. */
+  vtkSetClampMacro(MaximumVertices, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumVertices, int);
   ///@}
 
   ///@{
@@ -135,6 +163,8 @@ protected:
 
   int LevelTargetType = VERTICES;
   double LevelTarget = 1000.0;
+  int LevelSimplification = SUBSET;
+  int MaximumVertices = 0;
   bool ManifoldOutput = true;
   bool FollowTime = true;
   int NumberOfTimeSteps = 50;
@@ -151,6 +181,11 @@ private:
    */
   bool ExtractLeaf(vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level);
   bool ExtractTree(vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels);
+  /** Extract a step of the carving, or a simplified level. Return why the target is not met. */
+  std::string ExtractCarved(
+    vtkUnstructuredGrid* grid, PreparedStream& stream, const double* time, vtkPolyData* level);
+  std::string ExtractSimplified(
+    vtkUnstructuredGrid* grid, PreparedStream& stream, const double* time, vtkPolyData* level);
 };
 
 #endif

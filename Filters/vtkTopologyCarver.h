@@ -36,9 +36,9 @@
  *   snapped mesh: the distance that the point was moved. A point that was moved is one of the
  *   `NewVertices`.
  * - field data, on how the level was made: `Step`; `Kind`, "carved", "simplified" (see
- *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the mesh was tetrahedralized (see below);
- *   `KeptDistance`, only of a mesh that is enclosed: the distance that the pierced tetrahedra reach
- *   from the mesh, to 5 %; `SnapDistance`, only of a snapped mesh: the largest distance that a
+ *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the
+ *   mesh was tetrahedralized (see below); `KeptDistance`, only of a mesh that is enclosed: the
+ *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `SnapDistance`, only of a snapped mesh: the largest distance that a
  *   point was moved.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
@@ -74,6 +74,18 @@
  * - field data: the settings under the names of the properties, and the columns of the profile
  *   under their names after "Profile": `ProfileVertices` and so on (`ProfileError` only if errors
  *   have been computed).
+ *
+ * With simplified levels, the stream also has their new points, after all others, and field data:
+ * - `SimplifiedSteps`: per decimated step the step, the numbers of vertices, triangles and
+ *   collapses, and the numbers of tuples that the step has in the next two arrays;
+ * - `SimplifiedPoints`: per point of a decimated step the point of the stream, first for the
+ *   vertices of the step, where a point has several if the surface is cut there, then for new ones;
+ * - `SimplifiedFaces`: per triangle its corners (indices into the step's part of the points), the
+ *   cell of the stream with its data, its birth and its death: it shows after birth <= j < death
+ *   collapses;
+ * - `SimplifiedLevels`: per level the index of the decimated step, the number of collapses, the
+ *   distance from M, the last step that it could come from and the target, which is a number of
+ *   vertices (`SimplifiedType` 0), triangles (1) or an error bound (5).
  *
  * vtkExtractCarvedLOD extracts any level from the stream.
  *

@@ -29,6 +29,12 @@ constexpr const char* ProfileComponents = "ProfileComponents";
 constexpr const char* ProfileTunnels = "ProfileTunnels";
 constexpr const char* ProfileVoids = "ProfileVoids";
 constexpr const char* ProfilePriority = "ProfilePriority";
+// Only if levels have been simplified.
+constexpr const char* SimplifiedType = "SimplifiedType";
+constexpr const char* SimplifiedSteps = "SimplifiedSteps";
+constexpr const char* SimplifiedPoints = "SimplifiedPoints";
+constexpr const char* SimplifiedFaces = "SimplifiedFaces";
+constexpr const char* SimplifiedLevels = "SimplifiedLevels";
 } // namespace StreamArrays
 
 /** Field data of a level. */

@@ -37,7 +37,7 @@ Demand Priorities(const std::function<bool(vtkIdType entry)>& hasPriority)
 }
 
 vtkDataArray* ArrayReader::Check(
-  vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand)
+  vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand, int components)
 {
   if (!this->Mistake.empty())
   {
@@ -55,10 +55,11 @@ vtkDataArray* ArrayReader::Check(
     this->Refuse(name, "has no numbers");
     return nullptr;
   }
-  if (array->GetNumberOfComponents() != 1)
+  if (array->GetNumberOfComponents() != components)
   {
-    this->Refuse(
-      name, "has " + std::to_string(array->GetNumberOfComponents()) + " components instead of 1");
+    this->Refuse(name,
+      "has " + std::to_string(array->GetNumberOfComponents()) + " components instead of " +
+        std::to_string(components));
     return nullptr;
   }
   if (array->GetNumberOfTuples() != tuples)
@@ -66,9 +67,9 @@ vtkDataArray* ArrayReader::Check(
     this->Refuse(name, WrongLength(array->GetNumberOfTuples(), tuples));
     return nullptr;
   }
-  for (vtkIdType i = 0; i < tuples; ++i)
+  for (vtkIdType i = 0; i < tuples * components; ++i)
   {
-    const double value = array->GetComponent(i, 0);
+    const double value = array->GetComponent(i / components, static_cast<int>(i % components));
     if (!demand.IsMet(value, i))
     {
       std::ostringstream why;

@@ -15,7 +15,10 @@
 class vtkDataSetAttributes;
 class vtkFieldData;
 
-/** The condition that all entries of an array must meet, in words and as a function. */
+/**
+ * The condition that all entries of an array must meet, in words and as a function. The entries of
+ * an array with components are numbered tuple by tuple.
+ */
 struct Demand
 {
   std::string What;
@@ -41,21 +44,24 @@ public:
     return this->Mistake;
   }
 
-  /** Reads an array with one number per tuple; after a mistake, `values` is empty. */
+  /** Reads an array, tuple by tuple; after a mistake, `values` is empty. */
   template <class Value>
   void Read(vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand,
-    std::vector<Value>& values)
+    std::vector<Value>& values, int components = 1)
   {
-    vtkDataArray* array = this->Check(from, name, tuples, demand);
-    values.resize(array ? tuples : 0);
+    vtkDataArray* array = this->Check(from, name, tuples, demand, components);
+    values.resize(array ? tuples * components : 0);
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      values[i] = static_cast<Value>(array->GetComponent(static_cast<vtkIdType>(i), 0));
+      const vtkIdType entry = static_cast<vtkIdType>(i);
+      values[i] = static_cast<Value>(
+        array->GetComponent(entry / components, static_cast<int>(entry % components)));
     }
   }
 
   /** Returns the array if it is valid and there has been no mistake before, else null. */
-  vtkDataArray* Check(vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand);
+  vtkDataArray* Check(vtkFieldData* from, const char* name, vtkIdType tuples, const Demand& demand,
+    int components = 1);
 
   /** Checks a text: an array of one string. */
   void CheckText(vtkFieldData* from, const char* name);

@@ -3,7 +3,6 @@
 
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
-#include "Convert/PointOutput.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 #include "vtkCellArray.h"
@@ -122,40 +121,35 @@ int FillStreamPoints(const carving::ResolvedInput<D>& resolved, const std::vecto
   return newVertices;
 }
 
-/** A face of M has the data of its facet, a carved face those of the cell behind it. */
+/** `cells` has the cell of the stream with the data of each face. */
 template <int D>
-void FillFaces(const std::vector<std::array<int, D>>& corners,
-  const std::vector<carving::FaceLife<D>>& faces, vtkIdType numberOfCells,
+void FillFaces(const std::vector<std::array<int, D>>& corners, const std::vector<int>& cells,
   vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
-  const vtkIdType count = static_cast<vtkIdType>(corners.size());
   vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(D * count);
+  connectivity->SetNumberOfValues(static_cast<vtkIdType>(D * corners.size()));
   vtkIdType* to = connectivity->GetPointer(0);
-  vtkNew<vtkIdList> cellIds;
-  cellIds->SetNumberOfIds(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  for (const auto& face : corners)
   {
-    to = std::copy(corners[i].begin(), corners[i].end(), to);
-    const carving::FaceLife<D>& face = faces[i];
-    cellIds->SetId(i,
-      face.Constraint >= 0 ? numberOfCells + face.Constraint
-                           : carving::HalfFace<D>::Cell(face.Behind));
+    to = std::copy(face.begin(), face.end(), to);
   }
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(D, connectivity);
+  vtkNew<vtkCellArray> faces;
+  faces->SetData(D, connectivity);
   if (D == 3)
   {
-    output->SetPolys(cells);
+    output->SetPolys(faces);
   }
   else
   {
-    output->SetLines(cells);
+    output->SetLines(faces);
   }
   for (const char* name : { StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides })
   {
     output->GetCellData()->CopyFieldOff(name); // of the stream only
   }
+  vtkNew<vtkIdList> cellIds;
+  cellIds->SetNumberOfIds(static_cast<vtkIdType>(cells.size()));
+  std::copy(cells.begin(), cells.end(), cellIds->begin());
   CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
 }
 
@@ -218,40 +212,53 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
   const carving::ManifoldLevel<D> cut =
     manifold ? carving::CutIntoManifold(stream, level) : carving::KeepUncut(level);
   const int newVertices = FillStreamPoints<D>(stream.Mesh.Surface, cut.Points, grid, output);
-  FillFaces<D>(
-    cut.Faces, level.Faces, static_cast<vtkIdType>(stream.Mesh.Cells.size()), grid, output);
+  std::vector<int> cells;
+  for (const carving::FaceLife<D>& face : level.Faces)
+  {
+    cells.push_back(carving::CellWithDataOf(stream, face));
+  }
+  FillFaces<D>(cut.Faces, cells, grid, output);
   FillFieldData(profile, step, "carved", newVertices, static_cast<vtkIdType>(cut.Faces.size()),
     grid, output->GetFieldData());
   FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, D,
     MeasureLevel(cut, manifold), output->GetFieldData());
 }
 
-void FillSimplifiedLevel(const carving::StoredStream<3>& stream, const carving::Profile& profile,
-  vtkPolyData* input, vtkUnstructuredGrid* grid, const SimplifiedLevel& level, vtkPolyData* output)
+std::string FillSimplifiedLevel(const carving::StoredStream<3>& stream,
+  const carving::SimplifiedStream& simplified, const carving::Profile& profile,
+  vtkUnstructuredGrid* grid, const carving::SimplifiedTarget& target, bool manifold,
+  vtkPolyData* output)
 {
-  carving::ResolvedMesh points;
-  points.Points = level.Mesh.Points;
-  for (const int point : level.Points)
+  const bool carved = carving::IsMetByCarving(profile, target);
+  const auto [level, problem] =
+    carved ? carving::SelectedLevel() : carving::SelectSimplifiedLevel(simplified, target);
+  if (level.Chain < 0)
   {
-    points.PointSources.push_back(point < 0 ? -1 : stream.Mesh.Surface.PointSources[point]);
+    const int step = carved
+      ? target.LastStep
+      : std::min(target.LastStep, carving::SelectStep(profile, target.Type, target.Value).Step);
+    FillLevel(stream, profile, grid, carving::ExtractLevel(stream, step), manifold, output);
+    return problem;
   }
-  FillPoints<3>(points, input, output);
-  const auto& triangles = level.Mesh.Triangles;
-  FillFaces<3>(
-    triangles, level.Faces, static_cast<vtkIdType>(stream.Mesh.Cells.size()), grid, output);
+  const carving::DecimatedStep& from = simplified.Steps[level.Chain];
+  const carving::CollapsedSurface surface = carving::ExtractSurface(from.Chain, level.Collapses);
+  std::vector<int> points;
+  for (const int point : surface.Points)
+  {
+    points.push_back(from.Points[point]);
+  }
+  const int newVertices = FillStreamPoints<3>(stream.Mesh.Surface, points, grid, output);
+  FillFaces<3>(surface.Triangles, surface.Sources, grid, output);
   vtkFieldData* fieldData = output->GetFieldData();
-  const int newVertices =
-    static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1));
-  FillFieldData(profile, level.Step, "simplified", newVertices,
-    static_cast<vtkIdType>(triangles.size()), grid, fieldData);
+  FillFieldData(profile, from.Step, "simplified", newVertices,
+    static_cast<vtkIdType>(surface.Triangles.size()), grid, fieldData);
   AddFieldValue<vtkIdTypeArray>(
-    fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(points.Points.size()));
+    fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(points.size()));
   AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, level.Error);
-  std::vector<int> vertices(points.Points.size());
-  std::iota(vertices.begin(), vertices.end(), 0);
-  const int step = level.Step;
+  const int step = from.Step;
   FillTopology({ profile.Components[step], profile.Tunnels[step], profile.Voids[step] }, 3,
-    carving::MeasureSurface({ triangles, vertices }), fieldData);
+    { from.SurfaceComponents, from.SurfaceGenus }, fieldData);
+  return problem;
 }
 
 void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,

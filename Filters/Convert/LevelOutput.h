@@ -7,10 +7,12 @@
 #define LevelOutput_h
 
 #include "Core/Measure/Profile.h"
+#include "Core/Measure/SimplifiedStream.h"
 #include "Core/Stream/Level.h"
 #include "Core/Stream/StoredStream.h"
 #include "vtkType.h"
 
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -23,22 +25,16 @@ template <int D>
 void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& profile,
   vtkUnstructuredGrid* grid, const carving::Level<D>& level, bool manifold, vtkPolyData* output);
 
-/** A level of which edges have been collapsed. */
-struct SimplifiedLevel
-{
-  int Step = 0;
-  carving::TriangleMesh Mesh;
-  std::vector<int> Points;                 ///< per vertex: the point of the stream, or -1
-  std::vector<carving::FaceLife<3>> Faces; ///< per triangle: the face that it has been
-  double Error = 0.0;                      ///< the distance from M
-};
-
 /**
- * Fills a simplified level. Triangles have the attributes of the faces that they have been, and new vertices those of the
- * closest point of `input`, the input with its usable attributes.
+ * Fills the level for a target: the simplified one that is selected, the step of the carving that
+ * meets the target as it is, or, if there is no simplified level, the step that comes closest.
+ * Triangles have the attributes of the faces that they have been. Returns an empty string, or a
+ * sentence that says why the target is not met.
  */
-void FillSimplifiedLevel(const carving::StoredStream<3>& stream, const carving::Profile& profile,
-  vtkPolyData* input, vtkUnstructuredGrid* grid, const SimplifiedLevel& level, vtkPolyData* output);
+std::string FillSimplifiedLevel(const carving::StoredStream<3>& stream,
+  const carving::SimplifiedStream& simplified, const carving::Profile& profile,
+  vtkUnstructuredGrid* grid, const carving::SimplifiedTarget& target, bool manifold,
+  vtkPolyData* output);
 
 /**
  * Fills a level with M as given, for a mesh that is only enclosed. `cellIds` has the cell of

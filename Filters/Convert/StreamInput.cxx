@@ -4,6 +4,7 @@
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayReader.h"
 #include "Convert/ProfileInput.h"
+#include "Convert/SimplifiedOutput.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -162,8 +163,8 @@ void TakePart(std::vector<Value>& values, std::size_t first, std::size_t count)
 
 /** Reads all arrays. Returns an empty string, or a description of the first mistake. */
 template <int D>
-std::string ReadArrays(
-  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
+std::string ReadArrays(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream,
+  carving::Profile& profile, carving::SimplifiedStream& simplified)
 {
   ArrayReader reader;
   std::vector<int> both, solidSides;
@@ -171,6 +172,10 @@ std::string ReadArrays(
   stream.Measure = ReadProfile(grid, reader, profile);
   ReadOrder(grid, profile.LastStep(), reader, stream, solidSides);
   CheckPassedOn(grid, reader);
+  if (D == 3)
+  {
+    ReadSimplifiedStream(grid, profile, reader, simplified);
+  }
   if (!reader.GetMistake().empty())
   {
     return reader.GetMistake();
@@ -212,8 +217,8 @@ std::string CheckCounts(const carving::StoredStream<D>& stream, const carving::P
 
 /** Returns an empty string, or a description of the first mistake. */
 template <int D>
-std::string ReadParts(
-  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
+std::string ReadParts(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream,
+  carving::Profile& profile, carving::SimplifiedStream& simplified)
 {
   // The faces of cells are numbered, too.
   if (grid->GetNumberOfPoints() > MaxInt || grid->GetNumberOfCells() > MaxInt / (D + 1))
@@ -222,23 +227,23 @@ std::string ReadParts(
   }
   std::string mistake = ReadPoints(grid, stream.Mesh.Surface.Points);
   mistake = mistake.empty() ? ReadCells(grid, stream.Mesh) : mistake;
-  mistake = mistake.empty() ? ReadArrays(grid, stream, profile) : mistake;
+  mistake = mistake.empty() ? ReadArrays(grid, stream, profile, simplified) : mistake;
   return mistake.empty() ? CheckCounts(stream, profile) : mistake;
 }
 
 } // namespace
 
 template <int D>
-std::string ReadStream(
-  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile)
+std::string ReadStream(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream,
+  carving::Profile& profile, carving::SimplifiedStream& simplified)
 {
-  const std::string mistake = ReadParts(grid, stream, profile);
+  const std::string mistake = ReadParts(grid, stream, profile, simplified);
   return mistake.empty() ? mistake
                          : "The input is not the stored stream of a carving: " + mistake +
       " The input must be the unchanged output of a carver on its port 1.";
 }
 
 template std::string ReadStream<2>(
-  vtkUnstructuredGrid*, carving::StoredStream<2>&, carving::Profile&);
+  vtkUnstructuredGrid*, carving::StoredStream<2>&, carving::Profile&, carving::SimplifiedStream&);
 template std::string ReadStream<3>(
-  vtkUnstructuredGrid*, carving::StoredStream<3>&, carving::Profile&);
+  vtkUnstructuredGrid*, carving::StoredStream<3>&, carving::Profile&, carving::SimplifiedStream&);

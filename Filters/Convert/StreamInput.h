@@ -7,6 +7,7 @@
 #define StreamInput_h
 
 #include "Core/Measure/Profile.h"
+#include "Core/Measure/SimplifiedStream.h"
 #include "Core/Stream/StoredStream.h"
 
 #include <string>
@@ -14,11 +15,12 @@
 class vtkUnstructuredGrid;
 
 /**
- * Reads all that levels need. Members of `Mesh.Surface` that only resolving uses stay empty.
- * Returns an empty string, or the first reason why the grid is not an unchanged stream.
+ * Reads all that levels need. `simplified` stays empty unless the grid has simplified levels, and so
+ * do members of `Mesh.Surface` that only resolving uses. Returns an empty string, or the first
+ * reason why the grid is not an unchanged stream.
  */
 template <int D>
-std::string ReadStream(
-  vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream, carving::Profile& profile);
+std::string ReadStream(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream,
+  carving::Profile& profile, carving::SimplifiedStream& simplified);
 
 #endif

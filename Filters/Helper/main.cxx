@@ -131,7 +131,7 @@ void DecimateGiven(const Job& job, Reply& reply)
   Reporter reporter(reply);
   reporter.Begin(Stage::Tetrahedralize); // the main stage of a job
   reply.Error = DecimateEnclosing(job.Surface.Triangles.empty() ? job.Mesh : job.Surface, job.Mesh,
-    job.Decimation, reply.Surfaces, [&](double fraction) { return reporter.Report(fraction); });
+    job.Decimation, reply.Decimation, [&](double fraction) { return reporter.Report(fraction); });
   reporter.End();
 }
 
@@ -176,7 +176,7 @@ bool WriteReply(int descriptor, Reply& reply)
   {
     reply.Result = {};
     reply.Plane = {};
-    reply.Surfaces.clear();
+    reply.Decimation = {};
   }
   std::fflush(stdout);
   dup2(descriptor, STDOUT_FILENO);

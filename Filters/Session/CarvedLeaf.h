@@ -7,6 +7,7 @@
 #define CarvedLeaf_h
 
 #include "Core/Measure/Profile.h"
+#include "Core/Measure/SimplifiedStream.h"
 #include "Core/Stream/StoredStream.h"
 #include "Session/CarverSettings.h"
 #include "Session/DecomposedLeaf.h"
@@ -17,6 +18,7 @@ struct CarvedLeaf
 {
   carving::StoredStream<D> Stream;
   carving::Profile Profile;
+  carving::SimplifiedStream Simplified; ///< empty unless levels are simplified
   int GuessedRegions = 0; ///< regions of which the rule has guessed whether they are solid
   int LeftByBudget = 0;   ///< cells that would be carved without a budget
 };

@@ -5,6 +5,7 @@
 #include "Objects/CompositeTree.h"
 #include "Session/CarvedLeaf.h"
 #include "Session/LeafOutput.h"
+#include "Session/LevelSimplifier.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -57,12 +58,31 @@ bool CarverSession<D>::UpdateLeaf(vtkPolyData* input, const CarverPorts& ports)
     return true;
   }
   CarvedLeaf<D> carved;
-  if (!CarveLeaf(*leaf, this->Settings, this->Stages, carved))
+  if (!CarveLeaf(*leaf, this->Settings, this->Stages, carved) || !this->Simplify(*leaf, carved))
   {
     return false;
   }
   const bool goOn = output.Write(input, *leaf, carved);
   this->Stages.FinishLeaf();
+  return goOn;
+}
+
+template <int D>
+bool CarverSession<D>::Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved)
+{
+  bool goOn = true;
+  if constexpr (D == 3)
+  {
+    if (this->Settings.Simplify)
+    {
+      std::vector<std::string> problems;
+      goOn = LevelSimplifier(leaf, carved, this->Stages).Run(this->Settings, problems);
+      for (const std::string& problem : problems)
+      {
+        vtkWarningWithObjectMacro(this->Filter, << problem);
+      }
+    }
+  }
   return goOn;
 }
 

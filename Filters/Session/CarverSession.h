@@ -6,10 +6,10 @@
 #ifndef CarverSession_h
 #define CarverSession_h
 
+#include "Session/CarvedLeaf.h"
 #include "Session/CarverPorts.h"
 #include "Session/CarverSettings.h"
 #include "Session/CarverStages.h"
-#include "Session/DecomposedLeaf.h"
 
 struct CompositeChild;
 class vtkAlgorithm;
@@ -66,6 +66,8 @@ public:
 
 private:
   bool UpdateLeaf(vtkPolyData* input, const CarverPorts& ports);
+  /** Makes simplified levels if the settings say so. Returns false if the filter is to stop. */
+  bool Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved);
   bool UpdateTree(vtkDataObject* input, const CarverPorts& ports);
   /** Fills the block of a child in the outputs of its parent. */
   void UpdateChild(const CompositeChild& child, unsigned int index,

@@ -5,9 +5,11 @@
 #include "Convert/ArrayTools.h"
 #include "Convert/LevelOutput.h"
 #include "Convert/OwnArrays.h"
+#include "Convert/SimplifiedOutput.h"
 #include "Convert/StreamOutput.h"
 #include "Objects/CompositeTree.h"
 #include "Session/CarverNotes.h"
+#include "Session/LevelSimplifier.h"
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -18,8 +20,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 namespace
 {
@@ -60,11 +60,6 @@ template <int D>
 bool LeafOutput<D>::Write(
   vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
 {
-  const bool simplified = D == 3 && this->Settings.Simplify;
-  if (simplified && !this->Simplify(leaf, carved))
-  {
-    return false;
-  }
   const CarverStages::Timer timer(this->Stages, OutputStage);
   this->PassFieldData(input);
   std::vector<std::string> notes = leaf.Input.Notes;
@@ -74,8 +69,9 @@ bool LeafOutput<D>::Write(
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
   this->WriteStream(attributes, leaf, carved, grid);
   FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
-  if (simplified ? !this->WriteSimplifiedLevels(attributes, carved, grid)
-                 : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
+  if (D == 3 && this->Settings.Simplify
+      ? !this->WriteSimplifiedLevels(carved, grid)
+      : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
   {
     return false;
   }
@@ -101,6 +97,7 @@ void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>
   const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
   FillStream(carved.Stream, carved.Profile, attributes, leaf.Input.CellIds, grid);
+  FillSimplifiedStream(carved.Simplified, grid->GetFieldData());
   const carving::Reply& reply = leaf.Reply;
   vtkFieldData* fieldData = grid->GetFieldData();
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, reply.Strategy.c_str());
@@ -168,113 +165,25 @@ bool LeafOutput<D>::WriteLevels(
 }
 
 template <int D>
-std::vector<LevelSimplifier::Request> LeafOutput<D>::MakeRequests(const carving::Profile& profile)
+bool LeafOutput<D>::WriteSimplifiedLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
-  using carving::LevelTarget;
-  const int last = profile.LastStep();
-  const LevelTarget type = this->Settings.TargetType;
-  std::vector<LevelSimplifier::Request> requests;
-  if (this->Settings.LevelTargets.empty())
+  const std::vector<carving::SimplifiedTarget> targets =
+    MakeSimplifiedTargets(carved.Profile, this->Settings);
+  for (std::size_t i = 0; i < targets.size(); ++i)
   {
-    for (const int step : this->SelectSteps(profile))
+    vtkNew<vtkPolyData> level;
+    std::string problem = targets[i].Problem;
+    if constexpr (D == 3)
     {
-      requests.push_back({ last, static_cast<double>(profile.Vertices[step]) });
+      problem += FillSimplifiedLevel(carved.Stream, carved.Simplified, carved.Profile, grid,
+        targets[i], this->Settings.ManifoldOutput, level);
     }
-  }
-  else if (type == LevelTarget::Vertices || type == LevelTarget::Triangles ||
-    type == LevelTarget::ErrorBound)
-  {
-    for (const double target : this->Settings.LevelTargets)
-    {
-      requests.push_back({ last, target });
-    }
-  }
-  else
-  {
-    for (const int step : this->SelectSteps(profile))
-    {
-      const int limit = this->Settings.MaximumVertices;
-      requests.push_back({ step, limit > 0 ? limit : HUGE_VAL });
-    }
-  }
-  std::sort(requests.begin(), requests.end(),
-    [&](const auto& a, const auto& b)
-    {
-      return a.LastStep != b.LastStep     ? a.LastStep < b.LastStep
-        : type == LevelTarget::ErrorBound ? a.Target > b.Target
-                                          : a.Target < b.Target;
-    });
-  return requests;
-}
-
-template <int D>
-bool LeafOutput<D>::Simplify(const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
-{
-  if constexpr (D == 3)
-  {
-    using carving::DecimationTarget;
-    using carving::LevelTarget;
-    const carving::Profile& profile = carved.Profile;
-    const LevelTarget target =
-      this->Settings.LevelTargets.empty() ? LevelTarget::Vertices : this->Settings.TargetType;
-    const DecimationTarget type = target == LevelTarget::Triangles ? DecimationTarget::Triangles
-      : target == LevelTarget::ErrorBound                          ? DecimationTarget::ErrorBound
-                                                                   : DecimationTarget::Vertices;
-    // Steps that have no more than the target are levels as they are.
-    const auto isCarved = [&](const LevelSimplifier::Request& request)
-    {
-      const std::vector<int>& counts =
-        type == DecimationTarget::Triangles ? profile.Triangles : profile.Vertices;
-      return type != DecimationTarget::ErrorBound && request.Target >= counts[request.LastStep];
-    };
-    const std::vector<LevelSimplifier::Request> requests = this->MakeRequests(profile);
-    std::vector<LevelSimplifier::Request> open;
-    std::remove_copy_if(requests.begin(), requests.end(), std::back_inserter(open), isCarved);
-    std::vector<SimplifiedLevel> levels;
-    std::vector<std::string> problems;
-    if (!LevelSimplifier(leaf, carved, this->Stages).Run(type, open, levels, problems))
-    {
-      return false;
-    }
-    for (const std::string& problem : problems)
+    if (!problem.empty())
     {
       vtkWarningWithObjectMacro(this->Filter, << problem);
     }
-    auto next = levels.begin();
-    for (const LevelSimplifier::Request& request : requests)
-    {
-      this->Simplified.push_back(isCarved(request) ? SimplifiedLevel() : *next++);
-      if (this->Simplified.back().Faces.empty())
-      {
-        this->Simplified.back().Step = isCarved(request)
-          ? request.LastStep
-          : carving::SelectStep(profile, target, request.Target).Step;
-      }
-    }
-  }
-  return true;
-}
-
-template <int D>
-bool LeafOutput<D>::WriteSimplifiedLevels(
-  vtkPolyData* attributes, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
-{
-  for (std::size_t i = 0; i < this->Simplified.size(); ++i)
-  {
-    const SimplifiedLevel& simplified = this->Simplified[i];
-    vtkNew<vtkPolyData> level;
-    if (simplified.Faces.empty())
-    {
-      FillLevel(carved.Stream, carved.Profile, grid,
-        carving::ExtractLevel(carved.Stream, simplified.Step), this->Settings.ManifoldOutput,
-        level);
-    }
-    else if constexpr (D == 3)
-    {
-      FillSimplifiedLevel(carved.Stream, carved.Profile, attributes, grid, simplified, level);
-    }
     this->SetLevel(static_cast<unsigned int>(i), level);
-    if (!this->Stages.Report(OutputStage, (i + 1.0) / (this->Simplified.size() + 1.0)))
+    if (!this->Stages.Report(OutputStage, (i + 1.0) / (targets.size() + 1.0)))
     {
       return false;
     }

@@ -8,7 +8,6 @@
 
 #include "Session/CarvedLeaf.h"
 #include "Session/CarverPorts.h"
-#include "Session/LevelSimplifier.h"
 
 #include <vector>
 
@@ -42,15 +41,11 @@ private:
   void WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
     const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   std::vector<int> SelectSteps(const carving::Profile& profile);
-  std::vector<LevelSimplifier::Request> MakeRequests(const carving::Profile& profile);
   /** Fills a block for each step. Returns false if the filter is to stop. */
   bool WriteLevels(
     const std::vector<int>& steps, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
-  /** Makes the levels for WriteSimplifiedLevels. Returns false if the filter is to stop. */
-  bool Simplify(const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved);
   /** Fills a block for each simplified level. Returns false if the filter is to stop. */
-  bool WriteSimplifiedLevels(
-    vtkPolyData* attributes, const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+  bool WriteSimplifiedLevels(const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   void AppendInput(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
     const carving::Profile& profile, vtkUnstructuredGrid* grid);
   void SetLevel(unsigned int index, vtkPolyData* level);
@@ -59,7 +54,6 @@ private:
   const CarverSettings& Settings;
   CarverStages& Stages;
   const CarverPorts& Ports;
-  std::vector<SimplifiedLevel> Simplified; ///< without faces: the step as carved
 };
 
 #endif

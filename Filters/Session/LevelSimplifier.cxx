@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/LevelSimplifier.h"
 
-#include "Core/Measure/LevelSelection.h"
+#include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
+#include "Core/Surface/SurfaceTopology.h"
 #include "Process/HelperProcess.h"
 
 #include <algorithm>
-#include <sstream>
+#include <cmath>
 
 namespace
 {
 
+using carving::operator+;
+using carving::operator/;
 using carving::DecimatedSurface;
 using carving::DecimationTarget;
+using carving::LevelTarget;
+using carving::SimplifiedTarget;
 
-carving::TriangleMesh GetMesh(const carving::Decomposition<3>& decomposition)
+const carving::ResolvedMesh& GetMesh(const carving::Decomposition<3>& decomposition)
 {
   const bool conforming = decomposition.Unresolved.Facets.empty();
-  const carving::ResolvedMesh& mesh = conforming ? decomposition.Surface : decomposition.Unresolved;
-  return { mesh.Points, mesh.Facets };
+  return conforming ? decomposition.Surface : decomposition.Unresolved;
 }
 
 std::array<int, 3> GetTopology(const carving::Profile& profile, int step)
@@ -26,7 +30,7 @@ std::array<int, 3> GetTopology(const carving::Profile& profile, int step)
   return { profile.Components[step], profile.Tunnels[step], profile.Voids[step] };
 }
 
-/** The steps up to `last` that trials decimate, from fine to coarse, for at least `least` vertices. */
+/** The steps up to `last` that trials decimate, fine to coarse, for at least `least` vertices. */
 std::vector<int> SelectTrials(const carving::Profile& profile, int last, double least)
 {
   std::vector<int> steps = { last };
@@ -52,124 +56,202 @@ std::vector<int> SelectTrials(const carving::Profile& profile, int last, double 
   return steps;
 }
 
-bool IsBetter(DecimationTarget type, const DecimatedSurface& a, const DecimatedSurface& b)
+DecimationTarget AsDecimationTarget(LevelTarget type)
 {
-  if (a.Reached != b.Reached)
-  {
-    return a.Reached > b.Reached;
-  }
-  const bool byError = a.Reached && type != DecimationTarget::ErrorBound;
-  return byError ? a.Error < b.Error : a.Mesh.Points.size() < b.Mesh.Points.size();
+  return type == LevelTarget::Triangles ? DecimationTarget::Triangles
+    : type == LevelTarget::ErrorBound   ? DecimationTarget::ErrorBound
+                                        : DecimationTarget::Vertices;
 }
 
 } // namespace
 
+std::vector<SimplifiedTarget> MakeSimplifiedTargets(
+  const carving::Profile& profile, const CarverSettings& settings)
+{
+  std::vector<SimplifiedTarget> targets;
+  for (const double target : settings.LevelTargets)
+  {
+    targets.push_back(carving::MakeSimplifiedTarget(
+      profile, settings.TargetType, target, settings.MaximumVertices));
+  }
+  if (targets.empty())
+  {
+    for (const int step : carving::SpreadLevels(profile, settings.NumberOfLevels))
+    {
+      targets.push_back(
+        carving::MakeSimplifiedTarget(profile, LevelTarget::Vertices, profile.Vertices[step], 0));
+    }
+  }
+  std::sort(targets.begin(), targets.end(),
+    [](const SimplifiedTarget& a, const SimplifiedTarget& b)
+    {
+      return a.LastStep != b.LastStep       ? a.LastStep < b.LastStep
+        : a.Type == LevelTarget::ErrorBound ? a.Value > b.Value
+                                            : a.Value < b.Value;
+    });
+  return targets;
+}
+
 LevelSimplifier::LevelSimplifier(
-  const DecomposedLeaf<3>& leaf, const CarvedLeaf<3>& carved, CarverStages& stages)
+  const DecomposedLeaf<3>& leaf, CarvedLeaf<3>& carved, CarverStages& stages)
   : Carved(carved)
   , Stages(stages)
   , Mesh(GetMesh(leaf.Reply.Result))
+  , Distance(this->Mesh)
 {
 }
 
-std::vector<LevelSimplifier::Trial> LevelSimplifier::PlanTrials(
-  DecimationTarget type, const std::vector<Request>& requests) const
+/** Returns null if the trial has no surface for the target. */
+const DecimatedSurface* LevelSimplifier::Trial::Find(double target) const
 {
+  const auto found = std::find(this->Targets.begin(), this->Targets.end(), target);
+  const std::size_t index = found - this->Targets.begin();
+  return index < this->Result.Surfaces.size() ? &this->Result.Surfaces[index] : nullptr;
+}
+
+int LevelSimplifier::Trial::CountVertices(const DecimatedSurface& surface) const
+{
+  return this->Result.Chain.Vertices - surface.Collapses;
+}
+
+std::vector<LevelSimplifier::Trial> LevelSimplifier::PlanTrials(
+  const std::vector<SimplifiedTarget>& targets) const
+{
+  const carving::Profile& profile = this->Carved.Profile;
+  const LevelTarget type = targets.front().Type;
   std::vector<Trial> trials;
-  for (auto first = requests.begin(); first != requests.end();)
+  for (auto first = targets.begin(); first != targets.end();)
   {
-    const auto end = std::find_if(first, requests.end(),
-      [last = first->LastStep](const Request& request) { return request.LastStep != last; });
-    std::vector<double> targets;
-    for (auto request = end; request-- != first;)
+    const auto end = std::find_if(first, targets.end(),
+      [last = first->LastStep](const SimplifiedTarget& target) { return target.LastStep != last; });
+    std::vector<double> values; // from fine to coarse
+    for (auto target = end; target-- != first;)
     {
-      targets.push_back(request->Target);
+      values.push_back(target->Value);
     }
-    const double least = type == DecimationTarget::Vertices ? targets.back()
-      : type == DecimationTarget::Triangles                 ? targets.back() / 2.0
-                                                            : 0.0;
-    for (const int step : SelectTrials(this->Carved.Profile, first->LastStep, least))
+    const double least = type == LevelTarget::Vertices ? values.back()
+      : type == LevelTarget::Triangles                 ? values.back() / 2.0
+                                                       : 0.0;
+    for (const int step : SelectTrials(profile, first->LastStep, least))
     {
       Trial& trial = trials.emplace_back();
+      trial.LastStep = first->LastStep;
       trial.Step = step;
-      trial.Targets = targets;
+      trial.Targets = values;
     }
     first = end;
   }
-  if (type == DecimationTarget::ErrorBound)
+  if (type == LevelTarget::ErrorBound)
   {
     return trials;
   }
   // The steps that reach the targets without a collapse: no level is farther from M.
-  const carving::LevelTarget count = type == DecimationTarget::Vertices
-    ? carving::LevelTarget::Vertices
-    : carving::LevelTarget::Triangles;
-  for (const Request& request : requests)
+  for (const SimplifiedTarget& target : targets)
   {
-    const carving::SelectedStep carved =
-      carving::SelectStep(this->Carved.Profile, count, request.Target);
-    if (carved.Problem.empty() && carved.Step < request.LastStep)
+    const carving::SelectedStep carved = carving::SelectStep(profile, type, target.Value);
+    if (carved.Problem.empty() && carved.Step < target.LastStep)
     {
       Trial& trial = trials.emplace_back();
+      trial.LastStep = target.LastStep;
       trial.Step = carved.Step;
-      trial.Targets = { request.Target };
+      trial.Targets = { target.Value };
     }
   }
   return trials;
 }
 
-bool LevelSimplifier::RunTrial(DecimationTarget type, double begin, double share, Trial& trial)
+bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double share, Trial& trial)
 {
-  const carving::Level<3> level = carving::ExtractLevel(this->Carved.Stream, trial.Step);
-  const carving::ManifoldLevel<3> cut = carving::CutIntoManifold(this->Carved.Stream, level);
+  const carving::StoredStream<3>& stream = this->Carved.Stream;
+  const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
+  const carving::ManifoldLevel<3> cut = carving::CutIntoManifold(stream, level);
   trial.Points = cut.Points;
-  trial.Faces = level.Faces;
+  for (const carving::FaceLife<3>& face : level.Faces)
+  {
+    trial.Cells.push_back(carving::CellWithDataOf(stream, face));
+  }
+  const carving::SurfaceTopology topology = carving::MeasureSurface(cut);
+  trial.SurfaceComponents = topology.Components;
+  trial.SurfaceGenus = topology.Genus;
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;
-  job.Mesh = this->Mesh;
+  job.Mesh = { this->Mesh.Points, this->Mesh.Facets };
   job.Surface.Triangles = cut.Faces;
   for (const int point : cut.Points)
   {
-    job.Surface.Points.push_back(this->Carved.Stream.Mesh.Surface.Points[point]);
+    job.Surface.Points.push_back(stream.Mesh.Surface.Points[point]);
   }
-  job.Decimation = { type, trial.Targets, 0 };
+  job.Decimation = { AsDecimationTarget(type), trial.Targets, 0 };
   carving::Reply reply;
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, reply,
     [&](carving::Stage, double fraction)
     { return this->Stages.Report(SimplifyStage, begin + share * fraction); },
     trial.Error);
-  trial.Results = std::move(reply.Surfaces);
+  trial.Result = std::move(reply.Decimation);
   trial.Error += reply.Error;
   return outcome != HelperProcess::Outcome::Aborted;
 }
 
-SimplifiedLevel LevelSimplifier::MakeLevel(const Trial& trial, const DecimatedSurface& surface)
+/**
+ * A lower bound of the distance of C_step from M, sought up to `enough`: the largest distance of a
+ * face's centroid.
+ */
+double LevelSimplifier::FindLeastError(int step, double enough) const
 {
-  SimplifiedLevel level;
-  level.Step = trial.Step;
-  level.Mesh = surface.Mesh;
-  level.Error = surface.Error;
-  for (const int source : surface.PointSources)
+  double least = 0.0;
+  const std::vector<carving::Point>& points = this->Carved.Stream.Mesh.Surface.Points;
+  for (const carving::FaceLife<3>& face : carving::ExtractLevel(this->Carved.Stream, step).Faces)
   {
-    level.Points.push_back(source < 0 ? -1 : trial.Points[source]);
+    if (face.Constraint < 0 && least <= enough)
+    {
+      const auto& [a, b, c] = face.Corners;
+      least = std::max(least, this->Distance.OfPoint((points[a] + points[b] + points[c]) / 3.0));
+    }
   }
-  for (const int source : surface.FacetSources)
-  {
-    level.Faces.push_back(trial.Faces[source]);
-  }
-  return level;
+  return least;
 }
 
-bool LevelSimplifier::Run(DecimationTarget type, const std::vector<Request>& requests,
-  std::vector<SimplifiedLevel>& levels, std::vector<std::string>& problems)
+/** Drops the targets for which an earlier trial has a result that the trial could hardly beat. */
+void LevelSimplifier::DropHopelessTargets(
+  LevelTarget type, const std::vector<Trial>& trials, Trial& trial) const
 {
-  const CarverStages::Timer timer(this->Stages, SimplifyStage);
-  std::vector<Trial> trials = this->PlanTrials(type, requests);
+  const auto bestError = [&](double target)
+  {
+    double best = HUGE_VAL;
+    for (const Trial& earlier : trials)
+    {
+      const DecimatedSurface* surface = earlier.Find(target);
+      if (surface && surface->Reached && earlier.Step <= trial.LastStep)
+      {
+        best = std::min(best, type == LevelTarget::ErrorBound ? target : surface->Error);
+      }
+    }
+    return best;
+  };
+  double worst = 0.0;
+  for (const double target : trial.Targets)
+  {
+    worst = std::max(worst, bestError(target));
+  }
+  const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, worst) : 0.0;
+  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
+                        [&](double target) { return least > bestError(target); }),
+    trial.Targets.end());
+}
+
+bool LevelSimplifier::RunTrials(
+  LevelTarget type, std::vector<Trial>& trials, std::vector<std::string>& problems)
+{
+  const double share = 1.0 / trials.size();
   for (std::size_t i = 0; i < trials.size(); ++i)
   {
-    if (!this->RunTrial(
-          type, static_cast<double>(i) / trials.size(), 1.0 / trials.size(), trials[i]))
+    this->DropHopelessTargets(type, trials, trials[i]);
+    if (trials[i].Targets.empty())
+    {
+      continue;
+    }
+    if (!this->RunTrial(type, static_cast<double>(i) * share, share, trials[i]))
     {
       return false;
     }
@@ -179,32 +261,103 @@ bool LevelSimplifier::Run(DecimationTarget type, const std::vector<Request>& req
         " of the stream cannot be simplified. " + trials[i].Error);
     }
   }
-  // From fine to coarse. A coarser level never comes from a later step: components only split.
-  int lastStep = this->Carved.Profile.LastStep();
-  for (auto request = requests.rbegin(); request != requests.rend(); ++request)
+  return true;
+}
+
+/** Adds the decimated step of a trial, with its new points, unless that has been done. */
+void LevelSimplifier::AddStep(Trial& trial)
+{
+  if (trial.Index >= 0)
   {
-    const Trial* bestTrial = nullptr;
-    const DecimatedSurface* best = nullptr;
-    for (const Trial& trial : trials)
+    return;
+  }
+  std::vector<carving::DecimatedStep>& steps = this->Carved.Simplified.Steps;
+  trial.Index = static_cast<int>(steps.size());
+  carving::DecimatedStep& step = steps.emplace_back();
+  step.Step = trial.Step;
+  step.SurfaceComponents = trial.SurfaceComponents;
+  step.SurfaceGenus = trial.SurfaceGenus;
+  step.Chain = trial.Result.Chain;
+  for (carving::ChainFace& face : step.Chain.Faces)
+  {
+    face.Source = trial.Cells[face.Source];
+  }
+  carving::ResolvedMesh& surface = this->Carved.Stream.Mesh.Surface;
+  for (std::size_t i = 0; i < trial.Result.Points.size(); ++i)
+  {
+    const int source = trial.Result.PointSources[i];
+    if (source >= 0)
     {
-      const auto target = std::find(trial.Targets.begin(), trial.Targets.end(), request->Target);
-      const std::size_t index = target - trial.Targets.begin();
-      if (trial.Step <= std::min(lastStep, request->LastStep) && index < trial.Results.size() &&
-        (!best || IsBetter(type, trial.Results[index], *best)))
-      {
-        bestTrial = &trial;
-        best = &trial.Results[index];
-      }
+      step.Points.push_back(trial.Points[source]);
+      continue;
     }
-    levels.insert(levels.begin(), best ? MakeLevel(*bestTrial, *best) : SimplifiedLevel());
-    lastStep = best ? bestTrial->Step : lastStep;
-    if (best && !best->Reached)
+    step.Points.push_back(static_cast<int>(surface.Points.size()));
+    surface.Points.push_back(trial.Result.Points[i]);
+    surface.PointSources.push_back(-1);
+  }
+}
+
+/** Adds the best result for a target, from a step up to `lastStep`, which becomes its step. */
+void LevelSimplifier::Choose(
+  const SimplifiedTarget& target, std::vector<Trial>& trials, int& lastStep)
+{
+  Trial* bestTrial = nullptr;
+  const DecimatedSurface* best = nullptr;
+  const auto isBetter = [&](const Trial& trial, const DecimatedSurface& surface)
+  {
+    if (surface.Reached != best->Reached)
     {
-      std::ostringstream problem;
-      problem << "The target of " << request->Target << " is out of reach: the coarsest level has "
-              << best->Mesh.Points.size() << " vertices.";
-      problems.push_back(problem.str());
+      return surface.Reached > best->Reached;
+    }
+    return surface.Reached && target.Type != LevelTarget::ErrorBound
+      ? surface.Error < best->Error
+      : trial.CountVertices(surface) < bestTrial->CountVertices(*best);
+  };
+  for (Trial& trial : trials)
+  {
+    const DecimatedSurface* surface = trial.Find(target.Value);
+    if (surface && trial.Step <= std::min(lastStep, target.LastStep) &&
+      (!best || isBetter(trial, *surface)))
+    {
+      bestTrial = &trial;
+      best = surface;
     }
   }
+  if (best)
+  {
+    lastStep = bestTrial->Step;
+    this->AddStep(*bestTrial);
+    this->Carved.Simplified.Levels.push_back(
+      { bestTrial->Index, best->Collapses, best->Error, target.LastStep, target.Value });
+  }
+}
+
+bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::string>& problems)
+{
+  const CarverStages::Timer timer(this->Stages, SimplifyStage);
+  const carving::Profile& profile = this->Carved.Profile;
+  std::vector<SimplifiedTarget> targets = MakeSimplifiedTargets(profile, settings);
+  targets.erase(
+    std::remove_if(targets.begin(), targets.end(),
+      [&](const SimplifiedTarget& target) { return carving::IsMetByCarving(profile, target); }),
+    targets.end());
+  if (targets.empty())
+  {
+    return true;
+  }
+  std::vector<Trial> trials = this->PlanTrials(targets);
+  if (!this->RunTrials(targets.front().Type, trials, problems))
+  {
+    return false;
+  }
+  // From fine to coarse. A coarser level never comes from a later step: components only split.
+  int lastStep = profile.LastStep();
+  for (auto target = targets.rbegin(); target != targets.rend(); ++target)
+  {
+    this->Choose(*target, trials, lastStep);
+  }
+  carving::SimplifiedStream& simplified = this->Carved.Simplified;
+  simplified.Type = targets.front().Type;
+  std::reverse(simplified.Levels.begin(), simplified.Levels.end());
   return true;
 }

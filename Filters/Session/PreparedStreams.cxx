@@ -39,9 +39,23 @@ PreparedStream& PreparedStreams::Get(vtkUnstructuredGrid* grid)
   }
   PreparedStream& stream = this->All.emplace_back();
   stream.Grid = DataVersion(grid);
-  stream.Error = GetStreamDimension(grid) == 2 ? ReadStream(grid, stream.Plane, stream.Profile)
-                                               : ReadStream(grid, stream.Space, stream.Profile);
+  stream.Error = GetStreamDimension(grid) == 2
+    ? ReadStream(grid, stream.Plane, stream.Profile, stream.Simplified)
+    : ReadStream(grid, stream.Space, stream.Profile, stream.Simplified);
   return stream;
+}
+
+double PreparedStreams::FindLeastTarget(vtkDataObject* input, carving::LevelTarget type)
+{
+  double least = HUGE_VAL;
+  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
+  {
+    if (const PreparedStream* stream = this->Find(grid))
+    {
+      least = std::min(least, carving::FindLeastTarget(stream->Simplified, type));
+    }
+  }
+  return least;
 }
 
 std::vector<carving::Profile> PreparedStreams::GetProfiles(vtkDataObject* input)

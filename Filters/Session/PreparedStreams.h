@@ -7,6 +7,7 @@
 #define PreparedStreams_h
 
 #include "Core/Measure/Profile.h"
+#include "Core/Measure/SimplifiedStream.h"
 #include "Core/Stream/StoredStream.h"
 #include "Objects/DataVersion.h"
 
@@ -24,6 +25,7 @@ struct PreparedStream
   carving::Profile Profile;
   carving::StoredStream<3> Space; ///< for a stream of tetrahedra
   carving::StoredStream<2> Plane; ///< for a stream of triangles
+  carving::SimplifiedStream Simplified;
 
   /** The step of the level for a time from 0 to `numberOfTimes` - 1. */
   int GetStepOfTime(double time, int numberOfTimes);
@@ -44,6 +46,12 @@ public:
 
   /** The profiles of all streams in a data object, which can be null. No stream is read in full. */
   std::vector<carving::Profile> GetProfiles(vtkDataObject* input);
+
+  /**
+   * The least target of a type that picks a simplified level of a stream in a data object;
+   * infinite without such a stream. Streams that have not been read do not count.
+   */
+  double FindLeastTarget(vtkDataObject* input, carving::LevelTarget type);
 
 private:
   /** Returns null if the grid has not been read in its present state. */

@@ -44,8 +44,24 @@ void vtkPVCarver::SetExtractor(vtkPVExtractCarvedLOD* extractor)
   if (extractor && extractor != this->Extractor)
   {
     this->Extractor = extractor;
+    extractor->SetLevelSimplification(this->LevelSimplification);
+    extractor->SetMaximumVertices(this->MaximumVertices);
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkPVCarver::SetLevelSimplification(int value)
+{
+  this->Superclass::SetLevelSimplification(value);
+  this->Extractor->SetLevelSimplification(value);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVCarver::SetMaximumVertices(int value)
+{
+  this->Superclass::SetMaximumVertices(value);
+  this->Extractor->SetMaximumVertices(value);
 }
 
 //------------------------------------------------------------------------------

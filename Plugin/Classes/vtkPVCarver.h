@@ -31,6 +31,12 @@ public:
   vtkPVExtractCarvedLOD* GetExtractor();
   ///@}
 
+  ///@{
+  /** See vtkCarverAlgorithm. The level of port 0 is simplified, too. */
+  void SetLevelSimplification(int value) override;
+  void SetMaximumVertices(int value) override;
+  ///@}
+
   /** The time of the last change of the carver or its extractor. */
   vtkMTimeType GetMTime() override;
 

@@ -6,6 +6,7 @@
  */
 #include "Carving.h"
 #include "Convert/ArrayTools.h"
+#include "Convert/SimplifiedOutput.h"
 #include "Convert/StreamOutput.h"
 #include "Decompositions.h"
 #include "GridDamage.h"
@@ -19,6 +20,7 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 
@@ -61,6 +63,8 @@ void Extract(Bytes& bytes, vtkUnstructuredGrid* grid)
     extract->SetLevelTargetType(type);
     extract->SetLevelTarget(bytes.Bit() ? range[1] : bytes.Double());
     extract->SetManifoldOutput(bytes.Bit());
+    extract->SetLevelSimplification(bytes.Bit());
+    extract->SetMaximumVertices(bytes.Bit() ? bytes.Below(64) : 0);
     extract->Update();
     CheckLevel(extract->GetOutput());
   }
@@ -68,8 +72,31 @@ void Extract(Bytes& bytes, vtkUnstructuredGrid* grid)
   CheckLevel(extract->GetOutput());
 }
 
+/** A chain whose collapses remove two triangles each and move nothing, and a level for its end. */
+SimplifiedStream MakeSimplified(Bytes& bytes, const Carving<3>& carved)
+{
+  SimplifiedStream simplified;
+  const Level<3> level =
+    ExtractLevel(carved.Stored, carved.Steps[bytes.Below(static_cast<int>(carved.Steps.size()))]);
+  DecimatedStep& step = simplified.Steps.emplace_back();
+  step.Step = level.Step;
+  step.Chain.Triangles = static_cast<int>(level.Faces.size());
+  step.Chain.Vertices = step.Chain.Triangles;
+  step.Chain.Collapses = bytes.Below(std::min(step.Chain.Triangles / 2 + 1, 256));
+  for (std::size_t i = 0; i < level.Faces.size(); ++i)
+  {
+    const int death = std::min(static_cast<int>(i / 2), step.Chain.Collapses) + 1;
+    step.Chain.Faces.push_back(
+      { level.Faces[i].Corners, CellWithDataOf(carved.Stored, level.Faces[i]), 0, death });
+  }
+  step.Points.resize(carved.Stored.Mesh.Surface.Points.size());
+  std::iota(step.Points.begin(), step.Points.end(), 0);
+  simplified.Levels.push_back({ 0, step.Chain.Collapses, 0.5, level.Step, 8.0 });
+  return simplified;
+}
+
 template <int D>
-void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
+void FillGrid(Bytes& bytes, const Carving<D>& carved, vtkUnstructuredGrid* grid)
 {
   const auto input = ToPolyData({ carved.Stored.Mesh.Surface.Points, {} });
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
@@ -81,6 +108,13 @@ void FillGrid(const Carving<D>& carved, vtkUnstructuredGrid* grid)
   grid->GetPointData()->AddArray(numbers);
   grid->GetCellData()->AddArray(MakeArray<vtkStringArray>("Texts", grid->GetNumberOfCells()));
   vtkFieldData* fieldData = grid->GetFieldData();
+  if constexpr (D == 3)
+  {
+    if (bytes.Bit())
+    {
+      FillSimplifiedStream(MakeSimplified(bytes, carved), fieldData);
+    }
+  }
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, "a strategy");
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, 0.5);
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, 0.25);
@@ -106,7 +140,7 @@ void ExtractDamaged(Bytes& bytes)
 {
   const Carving<D> carved = CarveWith(bytes, MakeDecomposition<D>(bytes));
   vtkNew<vtkUnstructuredGrid> grid;
-  FillGrid(carved, grid);
+  FillGrid(bytes, carved, grid);
   if (!carved.Stored.Mesh.Surface.Facets.empty()) // M is not empty
   {
     CheckWhole(carved, grid);

@@ -104,7 +104,7 @@ class TestPanels(unittest.TestCase):
         }
         seen = set()
         for proxy, owner in ((self.carver, vtkTopologyCarver), (self.picker, vtkTopologyCarver),
-                             (self.decimation, vtkEnclosingDecimation)):
+                             (self.extract, vtkExtractCarvedLOD), (self.decimation, vtkEnclosingDecimation)):
             for p in properties(proxy):
                 entries = p.findall("EnumerationDomain/Entry")
                 if not entries:

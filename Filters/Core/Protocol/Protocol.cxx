@@ -16,8 +16,8 @@ namespace
 {
 
 // Increment the last digit whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '8' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '8' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '9' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '9' };
 
 class Writer
 {
@@ -43,17 +43,6 @@ public:
     this->Value(static_cast<std::uint64_t>(values.size()));
     this->Out.write(reinterpret_cast<const char*>(values.data()),
       static_cast<std::streamsize>(values.size() * sizeof(typename Container::value_type)));
-  }
-
-  /** Writes the elements of an array that `visit` writes one by one. */
-  template <class Container, class Visitor>
-  void Each(const Container& values, std::size_t, Visitor&& visit)
-  {
-    this->Value(static_cast<std::uint64_t>(values.size()));
-    for (const auto& value : values)
-    {
-      visit(value);
-    }
   }
 
 private:
@@ -101,21 +90,6 @@ public:
     else if (count > 0)
     {
       this->Good = false;
-    }
-  }
-
-  /** Reads the elements of an array, each of at least `bytes`, that `visit` reads one by one. */
-  template <class Container, class Visitor>
-  void Each(Container& values, std::size_t bytes, Visitor&& visit)
-  {
-    std::uint64_t count = 0;
-    this->Value(count);
-    this->Good = this->Good && count <= this->Left / bytes;
-    values.clear();
-    values.resize(this->Good ? count : 0);
-    for (auto& value : values)
-    {
-      visit(value);
     }
   }
 
@@ -191,21 +165,16 @@ void VisitDecomposition(Archive& archive, Mesh& mesh)
   VisitInput(archive, mesh.Unresolved);
 }
 
-template <class Archive, class Surfaces>
-void VisitSurfaces(Archive& archive, Surfaces& surfaces)
+template <class Archive, class DecimationType>
+void VisitDecimation(Archive& archive, DecimationType& decimation)
 {
-  constexpr std::size_t sizeOfEmpty =
-    4 * sizeof(std::uint64_t) + sizeof(DecimatedSurface::Error) + sizeof(DecimatedSurface::Reached);
-  archive.Each(surfaces, sizeOfEmpty,
-    [&archive](auto& surface)
-    {
-      archive.Array(surface.Mesh.Points);
-      archive.Array(surface.Mesh.Triangles);
-      archive.Array(surface.PointSources);
-      archive.Array(surface.FacetSources);
-      archive.Value(surface.Error);
-      archive.Value(surface.Reached);
-    });
+  archive.Value(decimation.Chain.Vertices);
+  archive.Value(decimation.Chain.Triangles);
+  archive.Value(decimation.Chain.Collapses);
+  archive.Array(decimation.Chain.Faces);
+  archive.Array(decimation.Points);
+  archive.Array(decimation.PointSources);
+  archive.Array(decimation.Surfaces);
 }
 
 /** Visits the fields of a reply in order. */
@@ -215,7 +184,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Error);
   VisitDecomposition(archive, reply.Result);
   VisitDecomposition(archive, reply.Plane);
-  VisitSurfaces(archive, reply.Surfaces);
+  VisitDecimation(archive, reply.Decimation);
   archive.Array(reply.Strategy);
   archive.Array(reply.Attempts);
   archive.Array(reply.Limits);
@@ -226,6 +195,19 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
+}
+
+/** Returns an empty string, or the first mistake. */
+std::string FindMistake(const Decimation& decimation)
+{
+  const auto fits = [&](const DecimatedSurface& surface)
+  { return surface.Collapses >= 0 && surface.Collapses <= decimation.Chain.Collapses; };
+  if (decimation.PointSources.size() != decimation.Points.size() ||
+    !std::all_of(decimation.Surfaces.begin(), decimation.Surfaces.end(), fits))
+  {
+    return "a decimated surface has indices out of range";
+  }
+  return FindMistake(decimation.Chain, decimation.Points.size());
 }
 
 } // namespace
@@ -309,16 +291,8 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   {
     return "the reply is incomplete";
   }
-  for (const DecimatedSurface& surface : reply.Surfaces)
-  {
-    if (!IndicesWithin(surface.Mesh.Triangles, 0, surface.Mesh.Points.size()) ||
-      surface.PointSources.size() != surface.Mesh.Points.size() ||
-      surface.FacetSources.size() != surface.Mesh.Triangles.size())
-    {
-      return "a decimated surface has indices out of range";
-    }
-  }
-  const std::string mistake = FindMistake(reply.Result);
+  std::string mistake = FindMistake(reply.Decimation);
+  mistake = mistake.empty() ? FindMistake(reply.Result) : mistake;
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }
 

@@ -12,6 +12,7 @@
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Solid/Classification.h"
+#include "Core/Stream/CollapseChain.h"
 
 #include <iosfwd>
 #include <string>
@@ -28,7 +29,10 @@ enum class JobKind : int
   CountIntersections = 2,
   /** Resolve and triangulate the contours. Sets `Plane` of the reply instead of `Result`. */
   Triangulate = 3,
-  /** Decimate `Surface`, or the mesh itself, into surfaces that enclose the mesh. Sets `Surfaces` only. */
+  /**
+   * Decimate `Surface`, or the mesh itself, into surfaces that enclose the mesh. Sets `Decimation`
+   * only.
+   */
   Decimate = 4
 };
 
@@ -50,15 +54,22 @@ struct DecimationOptions
   int Nested = 0;
 };
 
-/** A result of JobKind::Decimate. */
+/** A result of JobKind::Decimate, which belongs to a target. */
 struct DecimatedSurface
 {
-  TriangleMesh Mesh;
-  std::vector<int> PointSources; ///< per point: that of the given surface at this position, or -1
-  std::vector<int> FacetSources; ///< per triangle: that of the given surface which it has been
-  double Error = 0.0; ///< the largest distance from the enclosed mesh; at most 1 % too large
+  int Collapses = 0;
   /** 0 if no further edge could collapse before the target, or the given surface is too far. */
   int Reached = 1;
+  double Error = 0.0; ///< the largest distance from the enclosed mesh; at most 1 % too large
+};
+
+/** The results of JobKind::Decimate. */
+struct Decimation
+{
+  CollapseChain Chain; ///< the source of a face: the triangle of the given surface
+  std::vector<Point> Points;
+  std::vector<int> PointSources; ///< per point: that of the given surface at this position, or -1
+  std::vector<DecimatedSurface> Surfaces; ///< per target
 };
 
 /** The initial approximation C0 (section 3.1). */
@@ -138,7 +149,7 @@ struct Reply
   std::string Error;
   Tetrahedralization Result;
   Decomposition<2> Plane;
-  std::vector<DecimatedSurface> Surfaces;
+  carving::Decimation Decimation;
   std::string Strategy;      ///< the strategy that succeeded
   std::string Attempts;      ///< a line per failed attempt, with the reason
   std::string Limits;        ///< a line per limit that ended an attempt

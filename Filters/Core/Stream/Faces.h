@@ -37,6 +37,17 @@ int StepAt(const StoredStream<D>& stream, int halfFace)
 }
 
 /**
+ * The cell of the stored stream that has the data of a face: the facet of M that it lies on, which
+ * is numbered after the cells, or the cell behind it.
+ */
+template <int D>
+int CellWithDataOf(const StoredStream<D>& stream, const FaceLife<D>& face)
+{
+  return face.Constraint >= 0 ? static_cast<int>(stream.Mesh.Cells.size()) + face.Constraint
+                              : HalfFace<D>::Cell(face.Behind);
+}
+
+/**
  * The half-face in front of a face, or Outside. Solid is possible only on approximations without
  * the face.
  */

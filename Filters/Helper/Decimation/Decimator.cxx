@@ -33,6 +33,7 @@ bool CrossOrCover(const Corners3& a, const Corners3& b)
 
 Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nested)
   : Surface(std::move(surface))
+  , History(this->Surface)
   , Tree(BoxesOf(this->Surface))
   , FacesAtBuild(this->Surface.number_of_faces())
   , M(obstacle)
@@ -342,10 +343,12 @@ bool Decimator::IsWithinErrorBound(const EdgeStar& star, const Point& w) const
 
 void Decimator::Collapse(HalfEdge edge, const EdgeStar& star, const Point& w)
 {
-  Quadric quadric = this->Quadrics[this->Surface.source(edge)];
-  quadric.Add(this->Quadrics[this->Surface.target(edge)]);
+  const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
+  Quadric quadric = this->Quadrics[u];
+  quadric.Add(this->Quadrics[v]);
   const Vertex vertex = CGAL::Euler::collapse_edge(this->Surface.edge(edge), this->Surface);
   this->Surface.point(vertex) = w;
+  this->History.Add(this->Surface, vertex, vertex == u ? v : u, star.Faces);
   this->Quadrics[vertex] = quadric;
   for (std::size_t i = 0; i < star.Faces.size(); ++i)
   {

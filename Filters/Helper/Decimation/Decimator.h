@@ -8,6 +8,7 @@
 
 #include "Core/Mesh/FaceDistance.h"
 #include "Helper/Decimation/BoxTree.h"
+#include "Helper/Decimation/ChainRecorder.h"
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/Placement.h"
 #include "Helper/Decimation/Quadric.h"
@@ -48,6 +49,12 @@ public:
     return this->Surface;
   }
 
+  /** The collapses up to now. */
+  const ChainRecorder& GetHistory() const
+  {
+    return this->History;
+  }
+
 private:
   struct Candidate
   {
@@ -81,6 +88,7 @@ private:
   void PushAround(Vertex vertex);
 
   SurfaceMesh Surface;
+  ChainRecorder History;
   BoxTree Tree; ///< of the surface's faces
   SurfaceMesh::size_type FacesAtBuild;
   Obstacle M;

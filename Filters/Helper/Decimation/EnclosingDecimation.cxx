@@ -56,30 +56,17 @@ SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
   return surface;
 }
 
-/** The remaining vertices and faces. Faces, and vertices that never moved, keep their sources. */
-DecimatedSurface Extract(const SurfaceMesh& surface, const ResolvedMesh& original)
+/** Hands on the history in terms of the given surface. */
+void HandOn(const Decimator& decimator, const ResolvedMesh& original, Decimation& result)
 {
-  DecimatedSurface result;
-  std::vector<int> newIndex(surface.num_vertices(), -1);
-  for (const Vertex v : surface.vertices())
+  result.Chain = decimator.GetHistory().MakeChain(decimator.GetSurface());
+  for (ChainFace& face : result.Chain.Faces)
   {
-    newIndex[v] = static_cast<int>(result.Mesh.Points.size());
-    result.Mesh.Points.push_back(surface.point(v));
-    result.PointSources.push_back(
-      surface.point(v) == original.Points[v] ? original.PointSources[v] : -1);
+    face.Source = original.FacetSources[face.Source];
   }
-  for (const Face face : surface.faces())
-  {
-    result.FacetSources.push_back(original.FacetSources[face]);
-    Triangle& t = result.Mesh.Triangles.emplace_back();
-    HalfEdge h = surface.halfedge(face);
-    for (int& corner : t)
-    {
-      corner = newIndex[surface.source(h)];
-      h = surface.next(h);
-    }
-  }
-  return result;
+  result.Points = decimator.GetHistory().GetPoints();
+  result.PointSources = original.PointSources;
+  result.PointSources.resize(result.Points.size(), -1);
 }
 
 /** The largest distance of any point of the surface from a mesh. */
@@ -108,8 +95,7 @@ double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
 } // namespace
 
 std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
-  const DecimationOptions& options, std::vector<DecimatedSurface>& results,
-  const Progress& progress)
+  const DecimationOptions& options, Decimation& result, const Progress& progress)
 {
   ResolvedMesh original;
   const std::string mistake = Prepare(given, original);
@@ -149,10 +135,11 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     {
       return "stopped";
     }
-    results.push_back(Extract(decimator.GetSurface(), original));
-    results.back().Error = MeasureError(decimator.GetSurface(), distance);
-    results.back().Reached = byError ? results.back().Error <= target : reached;
+    const double error = MeasureError(decimator.GetSurface(), distance);
+    result.Surfaces.push_back({ decimator.GetHistory().GetNumberOfCollapses(),
+      byError ? error <= target : reached, error });
   }
+  HandOn(decimator, original, result);
   GoOn(progress, 1.0);
   return {};
 }

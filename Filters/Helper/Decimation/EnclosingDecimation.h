@@ -10,23 +10,21 @@
 #include "Core/Protocol/Protocol.h"
 
 #include <string>
-#include <vector>
 
 namespace carving::helper
 {
 
 /**
- * Decimates a closed surface around a mesh, or the mesh itself, once per target. Every result is a closed, oriented
- * manifold of the surface's topology that encloses the mesh and does not cross itself. Nested results enclose the surface,
- * too.
+ * Decimates a closed surface around a mesh, or the mesh itself, once per target. Every result is a
+ * closed, oriented manifold of the surface's topology that encloses the mesh and does not cross
+ * itself. Nested results enclose the surface, too.
  *
- * Equal points of the surface are merged, unless the surface is closed without that. The surface may be oriented
- * outward or inward. Appends to `results` in the order of `options.Targets`. Returns an empty string, or an error for the
- * user: the surface is open, not manifold or crosses itself.
+ * Equal points of the surface are merged, unless the surface is closed without that. The surface
+ * may be oriented outward or inward. Returns an empty string, or an error for the user: the surface
+ * is open, not manifold or crosses itself.
  */
 std::string DecimateEnclosing(const TriangleMesh& surface, const TriangleMesh& mesh,
-  const DecimationOptions& options, std::vector<DecimatedSurface>& results,
-  const Progress& progress = {});
+  const DecimationOptions& options, Decimation& result, const Progress& progress = {});
 
 } // namespace carving::helper
 

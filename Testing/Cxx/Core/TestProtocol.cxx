@@ -23,12 +23,14 @@ Reply MakeReply()
   reply.IntersectingPairs = 7;
   reply.SnapDistance = 0.125;
   reply.StageSeconds = { 0.25, 0.5, 1.0 };
-  DecimatedSurface& surface = reply.Surfaces.emplace_back();
-  surface.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
-  surface.FacetSources = { 5 };
-  surface.PointSources = { 5, -1, 6 };
-  surface.Error = 0.5;
-  surface.Reached = 0;
+  // A tetrahedron, of which an edge collapses into a new point: two triangles are left.
+  Decimation& decimation = reply.Decimation;
+  decimation.Chain = { 4, 4, 1,
+    { { { 0, 1, 2 }, 7, 0, 1 }, { { 0, 3, 1 }, 6, 0, 1 }, { { 0, 2, 3 }, 5, 0, 1 },
+      { { 1, 3, 2 }, 4, 0, 1 }, { { 4, 2, 3 }, 5, 1, 2 }, { { 4, 3, 2 }, 4, 1, 2 } } };
+  decimation.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.1, 0.2, 0.3 } };
+  decimation.PointSources = { 3, 2, 1, 0, -1 };
+  decimation.Surfaces = { { 1, 0, 0.5 } };
   return reply;
 }
 
@@ -102,24 +104,36 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.IntersectingPairs, 7);
   EXPECT_EQ(restored.SnapDistance, 0.125);
   EXPECT_EQ(restored.StageSeconds, reply.StageSeconds);
-  ASSERT_EQ(restored.Surfaces.size(), 1u);
-  EXPECT_EQ(restored.Surfaces[0].Mesh.Points, reply.Surfaces[0].Mesh.Points);
-  EXPECT_EQ(restored.Surfaces[0].Mesh.Triangles, reply.Surfaces[0].Mesh.Triangles);
-  EXPECT_EQ(restored.Surfaces[0].PointSources, reply.Surfaces[0].PointSources);
-  EXPECT_EQ(restored.Surfaces[0].FacetSources, reply.Surfaces[0].FacetSources);
-  EXPECT_EQ(restored.Surfaces[0].Error, 0.5);
-  EXPECT_EQ(restored.Surfaces[0].Reached, 0);
+  const Decimation& decimation = restored.Decimation;
+  EXPECT_EQ(decimation.Points, reply.Decimation.Points);
+  EXPECT_EQ(decimation.PointSources, reply.Decimation.PointSources);
+  ASSERT_EQ(decimation.Chain.Faces.size(), 6u);
+  EXPECT_EQ(decimation.Chain.Faces[4].Corners, (Triangle{ 4, 2, 3 }));
+  ASSERT_EQ(decimation.Surfaces.size(), 1u);
+  EXPECT_EQ(decimation.Surfaces[0].Collapses, 1);
+  EXPECT_EQ(decimation.Surfaces[0].Reached, 0);
+  EXPECT_EQ(decimation.Surfaces[0].Error, 0.5);
 }
 
-// A decimated surface whose triangles name points that do not exist is rejected.
-TEST(Protocol, RejectsWrongSurfaces)
+// A chain of collapses is rejected if its faces name points that do not exist, do not add up to two
+// fewer with each collapse, or if a surface has more collapses.
+TEST(Protocol, RejectsWrongChains)
 {
-  Reply reply = MakeReply();
-  reply.Surfaces[0].Mesh.Triangles[0][1] = 3;
-  EXPECT_NE(ReadReply(Written(reply)), "");
-  reply = MakeReply();
-  reply.Surfaces[0].PointSources.pop_back();
-  EXPECT_NE(ReadReply(Written(reply)), "");
+  const auto mistakeAfter = [](const std::function<void(Decimation&)>& change)
+  {
+    Reply reply = MakeReply();
+    change(reply.Decimation);
+    return ReadReply(Written(reply));
+  };
+  EXPECT_EQ(mistakeAfter([](Decimation&) {}), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Faces[0].Corners[1] = 5; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Faces[0].Corners[1] = 0; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Faces[0].Death = 2; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Faces[4].Death = 3; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Triangles = 5; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Collapses = -1; }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.PointSources.pop_back(); }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Surfaces[0].Collapses = 2; }), "");
 }
 
 // A reply that reports an error holds just that.

@@ -33,12 +33,40 @@ int NumberOfRandomSurfaces()
   return number ? std::atoi(number) : 40;
 }
 
-std::vector<DecimatedSurface> Decimate(const TriangleMesh& mesh, std::vector<double> targets,
+/** A decimated surface on its own. */
+struct Result
+{
+  TriangleMesh Mesh;
+  std::vector<int> PointSources;
+  double Error;
+  int Reached;
+};
+
+std::vector<Result> GetResults(const Decimation& decimation)
+{
+  std::vector<Result> results;
+  for (const DecimatedSurface& surface : decimation.Surfaces)
+  {
+    const CollapsedSurface collapsed = ExtractSurface(decimation.Chain, surface.Collapses);
+    Result& result = results.emplace_back();
+    result.Mesh.Triangles = collapsed.Triangles;
+    for (const int point : collapsed.Points)
+    {
+      result.Mesh.Points.push_back(decimation.Points[point]);
+      result.PointSources.push_back(decimation.PointSources[point]);
+    }
+    result.Error = surface.Error;
+    result.Reached = surface.Reached;
+  }
+  return results;
+}
+
+std::vector<Result> Decimate(const TriangleMesh& mesh, std::vector<double> targets,
   bool nested = false, DecimationTarget type = DecimationTarget::Vertices)
 {
-  std::vector<DecimatedSurface> results;
-  EXPECT_EQ(DecimateEnclosing(mesh, mesh, { type, std::move(targets), nested }, results), "");
-  return results;
+  Decimation decimation;
+  EXPECT_EQ(DecimateEnclosing(mesh, mesh, { type, std::move(targets), nested }, decimation), "");
+  return GetResults(decimation);
 }
 
 /** V - E + F of a closed surface, which has three edges for every two faces. */
@@ -91,7 +119,7 @@ int CountCrossings(const TriangleMesh& mesh)
  * given surface, only the two sides of folds may lie on each other.
  */
 void ExpectEnclosingSurface(const TriangleMesh& given, const TriangleMesh& mesh,
-  const DecimatedSurface& result, std::mt19937_64& random)
+  const Result& result, std::mt19937_64& random)
 {
   EXPECT_TRUE(checks::IsClosed(result.Mesh.Triangles));
   EXPECT_LE(CountCrossings(result.Mesh), CountCrossings(given));
@@ -101,7 +129,7 @@ void ExpectEnclosingSurface(const TriangleMesh& given, const TriangleMesh& mesh,
 
 /** The same for a surface that does not touch itself and is the mesh. */
 void ExpectEnclosingSurface(
-  const TriangleMesh& given, const DecimatedSurface& result, std::mt19937_64& random)
+  const TriangleMesh& given, const Result& result, std::mt19937_64& random)
 {
   EXPECT_EQ(CountCrossings(given), 0);
   ExpectEnclosingSurface(given, given, result, random);
@@ -170,7 +198,7 @@ TEST(Decimation, KeepsVoids)
     models::Joined(models::Sphere(2), models::Flipped(models::Moved(models::Sphere(2), {}, 0.5)));
   for (const bool nested : { false, true })
   {
-    for (const DecimatedSurface& result : Decimate(hollow, { 100, 40, 8 }, nested))
+    for (const Result& result : Decimate(hollow, { 100, 40, 8 }, nested))
     {
       ExpectEnclosingSurface(hollow, result, random);
     }
@@ -192,7 +220,7 @@ TEST(Decimation, IsTighterWithoutNesting)
 {
   const TriangleMesh torus = models::Torus(1.0, 0.3, 40, 20);
   const auto tight = Decimate(torus, { 80 }), nested = Decimate(torus, { 80 }, true);
-  const auto volume = [](const DecimatedSurface& surface)
+  const auto volume = [](const Result& surface)
   { return checks::SixVolume(surface.Mesh.Points, surface.Mesh.Triangles); };
   EXPECT_LT(volume(tight[0]), volume(nested[0]));
 }
@@ -211,11 +239,11 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
       const bool nested = i % 2 == 0;
       const TriangleMesh& inside = nested ? level.Surface : level.M;
       const double half = std::floor(level.Surface.Points.size() / 2.0);
-      std::vector<DecimatedSurface> results;
+      Decimation decimation;
       ASSERT_EQ(DecimateEnclosing(level.Surface, inside,
-                  { DecimationTarget::Vertices, { half, half / 4 }, nested }, results),
+                  { DecimationTarget::Vertices, { half, half / 4 }, nested }, decimation),
         "");
-      for (const DecimatedSurface& result : results)
+      for (const Result& result : GetResults(decimation))
       {
         ExpectEnclosingSurface(level.Surface, inside, result, random);
       }
@@ -238,7 +266,7 @@ TEST(Decimation, MeasuresTheError)
 {
   std::mt19937_64 random(5);
   const TriangleMesh sphere = models::Sphere(3);
-  for (const DecimatedSurface& result : Decimate(sphere, { 300, 100, 20 }))
+  for (const Result& result : Decimate(sphere, { 300, 100, 20 }))
   {
     double farthest = 0.0;
     for (const Triangle& t : result.Mesh.Triangles)
@@ -321,8 +349,8 @@ TEST(Decimation, RefusesWhatIsNoClosedSurface)
 {
   const auto refusal = [](const TriangleMesh& mesh)
   {
-    std::vector<DecimatedSurface> results;
-    return DecimateEnclosing(mesh, mesh, { DecimationTarget::Vertices, { 10 }, false }, results);
+    Decimation decimation;
+    return DecimateEnclosing(mesh, mesh, { DecimationTarget::Vertices, { 10 }, false }, decimation);
   };
   EXPECT_NE(refusal(models::Sheet(2)).find("is open: 8 edges"), std::string::npos);
   TriangleMesh twisted = models::Tetrahedron();

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Measure/SimplifiedStream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace carving
+{
+namespace
+{
+
+int CountAfter(const CollapseChain& chain, LevelTarget type, int collapses)
+{
+  return type == LevelTarget::Triangles ? chain.Triangles - 2 * collapses
+                                        : chain.Vertices - collapses;
+}
+
+/** The number of collapses after which the count is at most the target. */
+int CollapsesFor(const CollapseChain& chain, LevelTarget type, double target)
+{
+  const int removed = type == LevelTarget::Triangles ? 2 : 1;
+  const double excess = CountAfter(chain, type, 0) - target;
+  return static_cast<int>(std::clamp(std::ceil(excess / removed), 0.0, 1e9));
+}
+
+/** The levels made for the target's last step; if there are none, all from that step or before. */
+std::vector<SimplifiedLevel> FindCandidates(
+  const SimplifiedStream& stream, const SimplifiedTarget& target)
+{
+  std::vector<SimplifiedLevel> same, earlier;
+  for (const SimplifiedLevel& level : stream.Levels)
+  {
+    if (level.LastStep == target.LastStep)
+    {
+      same.push_back(level);
+    }
+    if (stream.Steps[level.Chain].Step <= target.LastStep)
+    {
+      earlier.push_back(level);
+    }
+  }
+  return same.empty() ? earlier : same;
+}
+
+/** What the level was made for, or what came of it, as a target of another type. */
+double TargetOf(const SimplifiedStream& stream, const SimplifiedLevel& level, LevelTarget type)
+{
+  return type == stream.Type ? level.Target
+    : type == LevelTarget::ErrorBound
+    ? level.Error
+    : CountAfter(stream.Steps[level.Chain].Chain, type, level.Collapses);
+}
+
+/** The level from the candidates, coarse to fine, for a number of vertices or triangles. */
+SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
+  const std::vector<SimplifiedLevel>& candidates, const SimplifiedTarget& target)
+{
+  auto next = std::find_if(candidates.begin(), candidates.end(),
+    [&](const SimplifiedLevel& level)
+    { return TargetOf(stream, level, target.Type) >= target.Value; });
+  next = next == candidates.end() ? next - 1 : next;
+  for (auto level = next + 1; level-- != candidates.begin();)
+  {
+    const CollapseChain& chain = stream.Steps[level->Chain].Chain;
+    const int collapses = CollapsesFor(chain, target.Type, target.Value);
+    if (collapses <= chain.Collapses)
+    {
+      return { level->Chain, collapses };
+    }
+  }
+  return *next;
+}
+
+std::string DescribeMiss(
+  const SimplifiedStream& stream, const SimplifiedLevel& level, const SimplifiedTarget& target)
+{
+  const CollapseChain& chain = stream.Steps[level.Chain].Chain;
+  std::ostringstream problem;
+  if (target.Type == LevelTarget::ErrorBound && !(level.Error <= target.Value))
+  {
+    problem << "No stored simplified level is within " << target.Value
+            << " of the mesh: the closest one is within " << level.Error << ".";
+  }
+  else if (target.Type != LevelTarget::ErrorBound &&
+    CountAfter(chain, target.Type, level.Collapses) > target.Value)
+  {
+    problem << "The target of " << target.Value
+            << " is out of reach: the coarsest stored simplified level has "
+            << CountAfter(chain, LevelTarget::Vertices, level.Collapses) << " vertices and "
+            << CountAfter(chain, LevelTarget::Triangles, level.Collapses) << " triangles.";
+  }
+  return problem.str();
+}
+
+} // namespace
+
+SimplifiedTarget MakeSimplifiedTarget(
+  const Profile& profile, LevelTarget type, double target, int maximumVertices)
+{
+  if (type == LevelTarget::Vertices || type == LevelTarget::Triangles ||
+    type == LevelTarget::ErrorBound)
+  {
+    return { type, profile.LastStep(), target, {} };
+  }
+  const SelectedStep selected = SelectStep(profile, type, target);
+  return { LevelTarget::Vertices, selected.Step, maximumVertices > 0 ? maximumVertices : HUGE_VAL,
+    selected.Problem };
+}
+
+bool IsMetByCarving(const Profile& profile, const SimplifiedTarget& target)
+{
+  return target.Type != LevelTarget::ErrorBound &&
+    target.Value >=
+    (target.Type == LevelTarget::Triangles ? profile.Triangles : profile.Vertices)[target.LastStep];
+}
+
+double FindLeastTarget(const SimplifiedStream& stream, LevelTarget type)
+{
+  double least = HUGE_VAL;
+  if (type == LevelTarget::Vertices || type == LevelTarget::Triangles)
+  {
+    for (const DecimatedStep& step : stream.Steps)
+    {
+      least = std::min<double>(least, CountAfter(step.Chain, type, step.Chain.Collapses));
+    }
+  }
+  return least;
+}
+
+SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const SimplifiedTarget& target)
+{
+  const std::vector<SimplifiedLevel> candidates = FindCandidates(stream, target);
+  if (candidates.empty())
+  {
+    return { {},
+      "The stream has no simplified level for this target. Carve with LevelSimplification and the "
+      "target." };
+  }
+  SelectedLevel selected;
+  const auto made = std::find_if(candidates.begin(), candidates.end(),
+    [&](const SimplifiedLevel& level)
+    { return TargetOf(stream, level, target.Type) == target.Value; });
+  if (made != candidates.end())
+  {
+    selected.Level = *made;
+  }
+  else if (target.Type == LevelTarget::ErrorBound)
+  {
+    const auto within = std::find_if(candidates.begin(), candidates.end(),
+      [&](const SimplifiedLevel& level)
+      { return TargetOf(stream, level, target.Type) <= target.Value; });
+    selected.Level = within != candidates.end() ? *within : candidates.back();
+  }
+  else
+  {
+    selected.Level = SelectByNumber(stream, candidates, target);
+  }
+  selected.Problem = DescribeMiss(stream, selected.Level, target);
+  return selected;
+}
+
+} // namespace carving

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/ChainRecorder.h"
+
+#include <numeric>
+
+namespace carving::helper
+{
+
+ChainRecorder::ChainRecorder(const SurfaceMesh& surface)
+  : Points(PointsOf(surface))
+  , PointOfVertex(Points.size())
+{
+  std::iota(this->PointOfVertex.begin(), this->PointOfVertex.end(), 0);
+  this->Chain.Vertices = static_cast<int>(surface.number_of_vertices());
+  this->Chain.Triangles = static_cast<int>(surface.number_of_faces());
+  this->Now.reserve(surface.number_of_faces());
+  for (const Face face : surface.faces())
+  {
+    this->Now.push_back({ this->CornersNow(surface, face), static_cast<int>(face), 0, 0 });
+  }
+}
+
+Triangle ChainRecorder::CornersNow(const SurfaceMesh& surface, Face face) const
+{
+  Triangle corners;
+  HalfEdge h = surface.halfedge(face);
+  for (int& corner : corners)
+  {
+    corner = this->PointOfVertex[surface.source(h)];
+    h = surface.next(h);
+  }
+  return corners;
+}
+
+void ChainRecorder::Add(
+  const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces)
+{
+  const Point& w = surface.point(kept);
+  if (w == this->Points[this->PointOfVertex[removed]])
+  {
+    this->PointOfVertex[kept] = this->PointOfVertex[removed];
+  }
+  else if (w != this->Points[this->PointOfVertex[kept]])
+  {
+    this->PointOfVertex[kept] = static_cast<int>(this->Points.size());
+    this->Points.push_back(w);
+  }
+  const int collapses = ++this->Chain.Collapses;
+  for (const Face face : faces)
+  {
+    ChainFace& now = this->Now[face];
+    const bool remains = !surface.is_removed(face);
+    const Triangle corners = remains ? this->CornersNow(surface, face) : Triangle{ -1, -1, -1 };
+    if (corners != now.Corners)
+    {
+      this->Chain.Faces.push_back(now);
+      this->Chain.Faces.back().Death = collapses;
+      now.Corners = corners;
+      now.Birth = collapses;
+    }
+  }
+}
+
+CollapseChain ChainRecorder::MakeChain(const SurfaceMesh& surface) const
+{
+  CollapseChain chain = this->Chain;
+  for (const Face face : surface.faces())
+  {
+    chain.Faces.push_back(this->Now[face]);
+    chain.Faces.back().Death = chain.Collapses + 1;
+  }
+  return chain;
+}
+
+} // namespace carving::helper

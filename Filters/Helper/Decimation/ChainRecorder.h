@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Keeps the history of a surface of which edges collapse.
+ */
+#ifndef carving_ChainRecorder_h
+#define carving_ChainRecorder_h
+
+#include "Core/Stream/CollapseChain.h"
+#include "Helper/Decimation/SurfaceMesh.h"
+
+#include <vector>
+
+namespace carving::helper
+{
+
+/** Records the collapses of a surface's edges as a chain. */
+class ChainRecorder
+{
+public:
+  explicit ChainRecorder(const SurfaceMesh& surface);
+
+  /**
+   * Adds a collapse that has just taken place. `kept` is the vertex that remains, `removed` the
+   * other end of the edge, and `faces` are all faces around both ends.
+   */
+  void Add(const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces);
+
+  int GetNumberOfCollapses() const
+  {
+    return this->Chain.Collapses;
+  }
+
+  /** The history up to now. The source of a face is its index in the surface. */
+  CollapseChain MakeChain(const SurfaceMesh& surface) const;
+
+  const std::vector<Point>& GetPoints() const
+  {
+    return this->Points;
+  }
+
+private:
+  Triangle CornersNow(const SurfaceMesh& surface, Face face) const;
+
+  CollapseChain Chain;            ///< with the faces that no longer exist
+  std::vector<Point> Points;      ///< of the chain
+  std::vector<int> PointOfVertex; ///< per vertex of the surface: its point of the chain
+  std::vector<ChainFace> Now;     ///< per face of the surface: as it is now, without a death
+};
+
+} // namespace carving::helper
+
+#endif

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The selection of simplified levels of a stream.
+ */
+#include "Core/Measure/SimplifiedStream.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+DecimatedStep MakeStep(int step, int vertices, int collapses)
+{
+  DecimatedStep result;
+  result.Step = step;
+  result.Chain.Vertices = vertices;
+  result.Chain.Triangles = 2 * vertices - 4; // a sphere
+  result.Chain.Collapses = collapses;
+  return result;
+}
+
+/** Two steps: step 10 with 1,000 to 100 vertices, and the hull with 50 to 4. */
+SimplifiedStream MakeStream()
+{
+  SimplifiedStream stream;
+  stream.Steps = { MakeStep(10, 1000, 900), MakeStep(0, 50, 46) };
+  stream.Levels = { { 1, 20, 4.0, 10, 30.0 }, { 0, 800, 2.0, 10, 200.0 },
+    { 0, 500, 1.0, 10, 500.0 } };
+  return stream;
+}
+
+SelectedLevel Select(const SimplifiedStream& stream, double target,
+  LevelTarget type = LevelTarget::Vertices, int lastStep = 10)
+{
+  return SelectSimplifiedLevel(stream, { type, lastStep, target, {} });
+}
+
+int CountVertices(const SimplifiedStream& stream, const SimplifiedLevel& level)
+{
+  return stream.Steps[level.Chain].Chain.Vertices - level.Collapses;
+}
+
+} // namespace
+
+// A target that a level was made for gives that level, with its error.
+TEST(SimplifiedStream, GivesWhatWasMade)
+{
+  const SimplifiedStream stream = MakeStream();
+  for (const SimplifiedLevel& made : stream.Levels)
+  {
+    const auto [level, problem] = Select(stream, made.Target);
+    EXPECT_EQ(problem, "");
+    EXPECT_EQ(level.Chain, made.Chain);
+    EXPECT_EQ(level.Collapses, made.Collapses);
+    EXPECT_EQ(level.Error, made.Error);
+  }
+}
+
+// A number between two targets is given by the step of the larger one, and by that of the smaller
+// one if that is out of reach.
+TEST(SimplifiedStream, GivesNumbersBetweenTargets)
+{
+  const SimplifiedStream stream = MakeStream();
+  const std::pair<int, int> numbersAndSteps[] = { { 700, 0 }, { 300, 0 }, { 150, 0 }, { 99, 1 },
+    { 40, 1 }, { 7, 1 } };
+  for (const auto& [number, step] : numbersAndSteps)
+  {
+    const auto [level, problem] = Select(stream, number);
+    EXPECT_EQ(problem, "");
+    EXPECT_EQ(level.Chain, step) << number;
+    EXPECT_EQ(CountVertices(stream, level), std::min(number, step == 0 ? 1000 : 50));
+    EXPECT_TRUE(std::isnan(level.Error));
+  }
+}
+
+// Triangles can be asked for where vertices were, and an odd number is rounded down.
+TEST(SimplifiedStream, CountsTrianglesToo)
+{
+  const SimplifiedStream stream = MakeStream();
+  EXPECT_EQ(CountVertices(stream, Select(stream, 601, LevelTarget::Triangles).Level), 302);
+  EXPECT_EQ(Select(stream, 396, LevelTarget::Triangles).Level.Error, 2.0); // 200 vertices
+}
+
+// An error bound is given by the coarsest level within it; a smaller bound than all gives the
+// closest level and a sentence.
+TEST(SimplifiedStream, GivesErrorBounds)
+{
+  const SimplifiedStream stream = MakeStream();
+  EXPECT_EQ(Select(stream, 3.0, LevelTarget::ErrorBound).Level.Error, 2.0);
+  const auto [closest, problem] = Select(stream, 0.5, LevelTarget::ErrorBound);
+  EXPECT_EQ(closest.Error, 1.0);
+  EXPECT_NE(problem.find("within 1."), std::string::npos);
+}
+
+// A number below all gives the level that comes closest, and a sentence.
+TEST(SimplifiedStream, SaysWhatIsOutOfReach)
+{
+  const auto [level, problem] = Select(MakeStream(), 3.0);
+  EXPECT_EQ(level.Chain, 1);
+  EXPECT_NE(problem.find("out of reach"), std::string::npos);
+}
+
+// Up to an early step, only levels of steps up to that one count; without any, there is none.
+TEST(SimplifiedStream, ObeysTheLastStep)
+{
+  const SimplifiedStream stream = MakeStream();
+  EXPECT_EQ(Select(stream, 500.0, LevelTarget::Vertices, 5).Level.Chain, 1);
+  const auto [level, problem] = Select({}, 500.0);
+  EXPECT_EQ(level.Chain, -1);
+  EXPECT_NE(problem, "");
+}
+
+// Of two numbers, the lower one never gets a level of a later step, whatever levels were made.
+TEST(SimplifiedStream, KeepsStepsInOrder)
+{
+  std::mt19937 random(11);
+  for (int run = 0; run < 300; ++run)
+  {
+    SimplifiedStream stream;
+    const int count = 1 + random() % 5;
+    for (int i = 0; i < count; ++i)
+    {
+      const int vertices = 100 + random() % 1000;
+      stream.Steps.push_back(MakeStep(5 * i, vertices, random() % vertices));
+    }
+    std::vector<int> chains(1 + random() % 6);
+    std::generate(chains.begin(), chains.end(), [&] { return random() % count; });
+    std::sort(chains.begin(), chains.end());
+    double target = 0.0;
+    for (const int chain : chains) // from coarse to fine
+    {
+      target += 10 + random() % 300;
+      const CollapseChain& from = stream.Steps[chain].Chain;
+      const int collapses = std::clamp(from.Vertices - static_cast<int>(target), 0, from.Collapses);
+      stream.Levels.push_back({ chain, collapses, 1.0, 100, target });
+    }
+    int lastStep = 100;
+    for (double number = 1500.0; number > 0.0; number -= 7.0)
+    {
+      const SelectedLevel selected = Select(stream, number, LevelTarget::Vertices, 100);
+      EXPECT_TRUE(CountVertices(stream, selected.Level) <= number || !selected.Problem.empty());
+      if (selected.Problem.empty())
+      {
+        EXPECT_LE(stream.Steps[selected.Level.Chain].Step, lastStep);
+        lastStep = stream.Steps[selected.Level.Chain].Step;
+      }
+    }
+  }
+}

@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace
 {
@@ -156,6 +157,35 @@ TEST(LevelSimplification, PassesOverOpenSteps)
   EXPECT_TRUE(Has(messages.Warnings[0], "of the stream cannot be simplified. The surface is open"));
   EXPECT_EQ(CountEdgesOfOpenSurface(LastLevel(carver)), 0);
   EXPECT_LE(GetFieldValue(LastLevel(carver), "Vertices"), 20);
+}
+
+// What a stream does not store gives the closest level, and a warning says so: numbers below the
+// coarsest level, smaller errors than those of all levels, and any target without simplified levels.
+TEST(LevelSimplification, WarnsOfWhatIsNotStored)
+{
+  vtkNew<vtkTopologyCarver> simplified, subset;
+  CarveSimplified(simplified, vtkTopologyCarver::VERTICES, { 80 });
+  Carve(subset, TwoTori());
+  const std::tuple<vtkTopologyCarver*, int, double, const char*> all[] = {
+    { simplified, vtkExtractCarvedLOD::VERTICES, 10.0, "out of reach" },
+    { simplified, vtkExtractCarvedLOD::ERROR_BOUND, 1e-6, "No stored simplified level is within" },
+    { subset, vtkExtractCarvedLOD::VERTICES, 300.0, "Carve with LevelSimplification" }
+  };
+  for (const auto& [carver, type, target, warning] : all)
+  {
+    vtkNew<vtkExtractCarvedLOD> extract;
+    Messages messages(extract);
+    extract->SetInputData(carver->GetOutputDataObject(1));
+    extract->SetLevelSimplification(vtkExtractCarvedLOD::ENCLOSING_COLLAPSE);
+    extract->SetLevelTargetType(type);
+    extract->SetLevelTarget(target);
+    extract->Update();
+    const bool isSimplified = GetFieldText(extract->GetOutput(), "Kind") == "simplified";
+    EXPECT_EQ(isSimplified, carver == simplified);
+    EXPECT_TRUE(!isSimplified || extract->GetOutput()->GetNumberOfPoints() == 80);
+    ASSERT_EQ(messages.Warnings.size(), 1u);
+    EXPECT_TRUE(Has(messages.Warnings[0], warning)) << messages.Warnings[0];
+  }
 }
 
 // An abort gives empty output without an error, and the next update works.

@@ -162,33 +162,6 @@ TEST(SimplifiedLevels, HaveARange)
   EXPECT_EQ(range[1], 400.0);
 }
 
-// Numbers below the coarsest level give that level, and a warning says so.
-TEST(SimplifiedLevels, WarnOfNumbersThatAreNotStored)
-{
-  vtkNew<vtkTopologyCarver> carver;
-  CarveLinks(carver, vtkTopologyCarver::VERTICES, { 80 });
-  const auto extract = MakeExtractor(CopyStream(carver), vtkTopologyCarver::VERTICES);
-  Messages messages(extract);
-  extract->SetLevelTarget(10);
-  extract->Update();
-  EXPECT_EQ(extract->GetOutput()->GetNumberOfPoints(), 80);
-  ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_TRUE(Has(messages.Warnings[0], "out of reach"));
-}
-
-// A stream without simplified levels gives steps of the carving, and a warning says why.
-TEST(SimplifiedLevels, WarnOfAStreamWithout)
-{
-  const auto carver = Carve(ToPolyData(Links()));
-  const auto extract = MakeExtractor(CopyStream(carver), vtkTopologyCarver::VERTICES);
-  Messages messages(extract);
-  extract->SetLevelTarget(300);
-  extract->Update();
-  EXPECT_EQ(GetFieldText(extract->GetOutput(), "Kind"), "carved");
-  ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_TRUE(Has(messages.Warnings[0], "Carve with LevelSimplification"));
-}
-
 // Damaged arrays are refused with an error that names the array.
 TEST(SimplifiedLevels, AreRefusedIfDamaged)
 {

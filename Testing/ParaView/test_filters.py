@@ -89,6 +89,19 @@ class TestFilters(unittest.TestCase):
         carver.FollowTime, carver.Vertices = 0, 3000
         self.assertLess(counts(carver)[0], POINTS)
 
+    def test_simplified_levels_are_picked_from_the_stream(self):
+        """With Level Simplification, the slider gives any number of vertices, also in a filter on the stream."""
+        carver = self.carver(LevelSimplification="Enclosing Collapse", LevelsBy="Vertices",
+                             LevelTargets=[64, 600], FollowTime=0, LevelBy="Vertices")
+        extractor = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM), FollowTime=0,
+                                            LevelSimplification="Enclosing Collapse", LevelBy="Vertices")
+        for number in (64, 300, 600, 2500):
+            carver.Vertices = extractor.Vertices = number
+            self.assertEqual(counts(carver)[0], number)
+            self.assertEqual(counts(extractor), counts(carver))
+        carver.UpdatePropertyInformation()
+        self.assertEqual(numbers(carver, "VertexRange"), [64, POINTS])
+
     def test_extractor_agrees_with_the_carver(self):
         """Carver and extractor give the same level at the same time step."""
         carver = self.carver()

@@ -8,13 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace
 {
 
 using carving::operator+;
 using carving::operator/;
-using carving::DecimatedSurface;
 using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
@@ -23,37 +23,6 @@ const carving::ResolvedMesh& GetMesh(const carving::Decomposition<3>& decomposit
 {
   const bool conforming = decomposition.Unresolved.Facets.empty();
   return conforming ? decomposition.Surface : decomposition.Unresolved;
-}
-
-std::array<int, 3> GetTopology(const carving::Profile& profile, int step)
-{
-  return { profile.Components[step], profile.Tunnels[step], profile.Voids[step] };
-}
-
-/** The steps up to `last` that trials decimate, fine to coarse, for at least `least` vertices. */
-std::vector<int> SelectTrials(const carving::Profile& profile, int last, double least)
-{
-  std::vector<int> steps = { last };
-  const auto begin = profile.Vertices.begin();
-  for (double count = profile.Vertices[last] / 2.0; count >= least; count /= 2.0)
-  {
-    const auto next = std::upper_bound(begin, begin + last + 1, count);
-    if (next == begin)
-    {
-      break; // C0 has more vertices
-    }
-    const int step = static_cast<int>(next - begin) - 1;
-    if (GetTopology(profile, step) != GetTopology(profile, steps.back()))
-    {
-      steps.push_back(step);
-    }
-  }
-  // Collapses of a convex hull do not stick.
-  if (steps.back() != 0 && GetTopology(profile, 0) != GetTopology(profile, steps.back()))
-  {
-    steps.push_back(0);
-  }
-  return steps;
 }
 
 DecimationTarget AsDecimationTarget(LevelTarget type)
@@ -101,66 +70,7 @@ LevelSimplifier::LevelSimplifier(
 {
 }
 
-/** Returns null if the trial has no surface for the target. */
-const DecimatedSurface* LevelSimplifier::Trial::Find(double target) const
-{
-  const auto found = std::find(this->Targets.begin(), this->Targets.end(), target);
-  const std::size_t index = found - this->Targets.begin();
-  return index < this->Result.Surfaces.size() ? &this->Result.Surfaces[index] : nullptr;
-}
-
-int LevelSimplifier::Trial::CountVertices(const DecimatedSurface& surface) const
-{
-  return this->Result.Chain.Vertices - surface.Collapses;
-}
-
-std::vector<LevelSimplifier::Trial> LevelSimplifier::PlanTrials(
-  const std::vector<SimplifiedTarget>& targets) const
-{
-  const carving::Profile& profile = this->Carved.Profile;
-  const LevelTarget type = targets.front().Type;
-  std::vector<Trial> trials;
-  for (auto first = targets.begin(); first != targets.end();)
-  {
-    const auto end = std::find_if(first, targets.end(),
-      [last = first->LastStep](const SimplifiedTarget& target) { return target.LastStep != last; });
-    std::vector<double> values; // from fine to coarse
-    for (auto target = end; target-- != first;)
-    {
-      values.push_back(target->Value);
-    }
-    const double least = type == LevelTarget::Vertices ? values.back()
-      : type == LevelTarget::Triangles                 ? values.back() / 2.0
-                                                       : 0.0;
-    for (const int step : SelectTrials(profile, first->LastStep, least))
-    {
-      Trial& trial = trials.emplace_back();
-      trial.LastStep = first->LastStep;
-      trial.Step = step;
-      trial.Targets = values;
-    }
-    first = end;
-  }
-  if (type == LevelTarget::ErrorBound)
-  {
-    return trials;
-  }
-  // The steps that reach the targets without a collapse: no level is farther from M.
-  for (const SimplifiedTarget& target : targets)
-  {
-    const carving::SelectedStep carved = carving::SelectStep(profile, type, target.Value);
-    if (carved.Problem.empty() && carved.Step < target.LastStep)
-    {
-      Trial& trial = trials.emplace_back();
-      trial.LastStep = target.LastStep;
-      trial.Step = carved.Step;
-      trial.Targets = { target.Value };
-    }
-  }
-  return trials;
-}
-
-bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double share, Trial& trial)
+bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, LevelTrial& trial)
 {
   const carving::StoredStream<3>& stream = this->Carved.Stream;
   const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
@@ -186,7 +96,7 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double share, Tri
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, reply,
     [&](carving::Stage, double fraction)
-    { return this->Stages.Report(SimplifyStage, begin + share * fraction); },
+    { return this->Stages.Report(SimplifyStage, begin + (end - begin) * fraction); },
     trial.Error);
   trial.Result = std::move(reply.Decimation);
   trial.Error += reply.Error;
@@ -212,22 +122,16 @@ double LevelSimplifier::FindLeastError(int step, double enough) const
   return least;
 }
 
-/** Drops the targets for which an earlier trial has a result that the trial could hardly beat. */
-void LevelSimplifier::DropHopelessTargets(
-  LevelTarget type, const std::vector<Trial>& trials, Trial& trial) const
+/** Drops the targets for which an earlier trial has a result that this one could hardly beat. */
+void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const
 {
-  const auto bestError = [&](double target)
+  const auto bestError = [&](double value)
   {
-    double best = HUGE_VAL;
-    for (const Trial& earlier : trials)
-    {
-      const DecimatedSurface* surface = earlier.Find(target);
-      if (surface && surface->Reached && earlier.Step <= trial.LastStep)
-      {
-        best = std::min(best, type == LevelTarget::ErrorBound ? target : surface->Error);
-      }
-    }
-    return best;
+    const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
+    const BestTrial best = FindBestTrial(this->Trials, target, trial.LastStep);
+    return !best.Trial || !best.Surface->Reached ? HUGE_VAL
+      : target.Type == LevelTarget::ErrorBound   ? value
+                                                 : best.Surface->Error;
   };
   double worst = 0.0;
   for (const double target : trial.Targets)
@@ -240,39 +144,29 @@ void LevelSimplifier::DropHopelessTargets(
     trial.Targets.end());
 }
 
+/** Runs trials as a part of the stage. Returns false if the filter is to stop. */
 bool LevelSimplifier::RunTrials(
-  LevelTarget type, std::vector<Trial>& trials, std::vector<std::string>& problems)
+  const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end)
 {
-  const double share = 1.0 / trials.size();
-  for (std::size_t i = 0; i < trials.size(); ++i)
+  const double share = (end - begin) / std::max<std::size_t>(trials.size(), 1);
+  for (LevelTrial& trial : trials)
   {
-    this->DropHopelessTargets(type, trials, trials[i]);
-    if (trials[i].Targets.empty())
-    {
-      continue;
-    }
-    if (!this->RunTrial(type, static_cast<double>(i) * share, share, trials[i]))
+    this->DropHopelessTargets(targets, trial);
+    if (!trial.Targets.empty() &&
+      !this->RunTrial(targets.front().Type, begin, begin + share, trial))
     {
       return false;
     }
-    if (!trials[i].Error.empty())
-    {
-      problems.push_back("Step " + std::to_string(trials[i].Step) +
-        " of the stream cannot be simplified. " + trials[i].Error);
-    }
+    begin += share;
+    this->Trials.push_back(std::move(trial));
   }
-  return true;
+  return this->Stages.Report(SimplifyStage, end);
 }
 
-/** Adds the decimated step of a trial, with its new points, unless that has been done. */
-void LevelSimplifier::AddStep(Trial& trial)
+/** Adds the decimated step of a trial, with its new points. Returns its index. */
+int LevelSimplifier::AddStep(const LevelTrial& trial)
 {
-  if (trial.Index >= 0)
-  {
-    return;
-  }
   std::vector<carving::DecimatedStep>& steps = this->Carved.Simplified.Steps;
-  trial.Index = static_cast<int>(steps.size());
   carving::DecimatedStep& step = steps.emplace_back();
   step.Step = trial.Step;
   step.SurfaceComponents = trial.SurfaceComponents;
@@ -295,48 +189,38 @@ void LevelSimplifier::AddStep(Trial& trial)
     surface.Points.push_back(trial.Result.Points[i]);
     surface.PointSources.push_back(-1);
   }
+  return static_cast<int>(steps.size()) - 1;
 }
 
-/** Adds the best result for a target, from a step up to `lastStep`, which becomes its step. */
-void LevelSimplifier::Choose(
-  const SimplifiedTarget& target, std::vector<Trial>& trials, int& lastStep)
+/** Adds the best levels. */
+void LevelSimplifier::Choose(const TargetList& targets)
 {
-  Trial* bestTrial = nullptr;
-  const DecimatedSurface* best = nullptr;
-  const auto isBetter = [&](const Trial& trial, const DecimatedSurface& surface)
+  carving::SimplifiedStream& simplified = this->Carved.Simplified;
+  simplified.Type = targets.front().Type;
+  std::map<const LevelTrial*, int> added;
+  // From fine to coarse. A coarser level never comes from a later step: components only split.
+  int lastStep = this->Carved.Profile.LastStep();
+  for (auto target = targets.rbegin(); target != targets.rend(); ++target)
   {
-    if (surface.Reached != best->Reached)
+    const BestTrial best = FindBestTrial(this->Trials, *target, lastStep);
+    if (best.Trial)
     {
-      return surface.Reached > best->Reached;
-    }
-    return surface.Reached && target.Type != LevelTarget::ErrorBound
-      ? surface.Error < best->Error
-      : trial.CountVertices(surface) < bestTrial->CountVertices(*best);
-  };
-  for (Trial& trial : trials)
-  {
-    const DecimatedSurface* surface = trial.Find(target.Value);
-    if (surface && trial.Step <= std::min(lastStep, target.LastStep) &&
-      (!best || isBetter(trial, *surface)))
-    {
-      bestTrial = &trial;
-      best = surface;
+      lastStep = best.Trial->Step;
+      const auto found = added.find(best.Trial);
+      const int index = found != added.end() ? found->second : this->AddStep(*best.Trial);
+      added[best.Trial] = index;
+      simplified.Levels.push_back(
+        { index, best.Surface->Collapses, best.Surface->Error, target->LastStep, target->Value });
     }
   }
-  if (best)
-  {
-    lastStep = bestTrial->Step;
-    this->AddStep(*bestTrial);
-    this->Carved.Simplified.Levels.push_back(
-      { bestTrial->Index, best->Collapses, best->Error, target.LastStep, target.Value });
-  }
+  std::reverse(simplified.Levels.begin(), simplified.Levels.end());
 }
 
 bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::string>& problems)
 {
   const CarverStages::Timer timer(this->Stages, SimplifyStage);
   const carving::Profile& profile = this->Carved.Profile;
-  std::vector<SimplifiedTarget> targets = MakeSimplifiedTargets(profile, settings);
+  TargetList targets = MakeSimplifiedTargets(profile, settings);
   targets.erase(
     std::remove_if(targets.begin(), targets.end(),
       [&](const SimplifiedTarget& target) { return carving::IsMetByCarving(profile, target); }),
@@ -345,19 +229,26 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
   {
     return true;
   }
-  std::vector<Trial> trials = this->PlanTrials(targets);
-  if (!this->RunTrials(targets.front().Type, trials, problems))
+  constexpr double shares[] = { 0.0, 0.5, 0.75,
+    1.0 }; // of the stage: each round halves what is left
+  for (int round = 0; round < 3; ++round)
   {
-    return false;
+    if (!this->RunTrials(targets,
+          round == 0 ? PlanTrials(profile, targets)
+                     : PlanTrialsBetween(profile, targets, this->Trials),
+          shares[round], shares[round + 1]))
+    {
+      return false;
+    }
   }
-  // From fine to coarse. A coarser level never comes from a later step: components only split.
-  int lastStep = profile.LastStep();
-  for (auto target = targets.rbegin(); target != targets.rend(); ++target)
+  for (const LevelTrial& trial : this->Trials)
   {
-    this->Choose(*target, trials, lastStep);
+    if (!trial.Error.empty())
+    {
+      problems.push_back("Step " + std::to_string(trial.Step) +
+        " of the stream cannot be simplified. " + trial.Error);
+    }
   }
-  carving::SimplifiedStream& simplified = this->Carved.Simplified;
-  simplified.Type = targets.front().Type;
-  std::reverse(simplified.Levels.begin(), simplified.Levels.end());
+  this->Choose(targets);
   return true;
 }

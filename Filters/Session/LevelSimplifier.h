@@ -8,8 +8,8 @@
 #define LevelSimplifier_h
 
 #include "Core/Mesh/FaceDistance.h"
-#include "Core/Protocol/Protocol.h"
 #include "Session/CarvedLeaf.h"
+#include "Session/LevelTrials.h"
 
 #include <string>
 #include <vector>
@@ -20,14 +20,7 @@ std::vector<carving::SimplifiedTarget> MakeSimplifiedTargets(
 
 /**
  * Makes levels with a given number of vertices or triangles, or within an error, as close to M as
- * trials find them.
- *
- * A level with few vertices can be carved up to that number, or be carved further and decimated.
- * Collapses keep the topology of a step, and stick where tunnels and components need all remaining
- * vertices. A trial therefore decimates one step of the stream to all targets. Trials start with
- * the last step; others follow at halved numbers of vertices where the topology differs, because a
- * step of the same topology with fewer vertices only gives levels that are farther from M. A step
- * that is itself farther from M than the results of the trials before is not tried.
+ * trials find them. The helper program decimates the step of each trial.
  */
 class LevelSimplifier
 {
@@ -43,37 +36,21 @@ public:
   bool Run(const CarverSettings& settings, std::vector<std::string>& problems);
 
 private:
-  struct Trial
-  {
-    int LastStep; ///< of its targets
-    int Step;
-    std::vector<double> Targets;
-    carving::Decimation Result;
-    std::vector<int> Points; ///< of the step's surface, in the stream
-    std::vector<int> Cells;  ///< per face of the step's surface: the cell of the stored stream
-    int SurfaceComponents;
-    int SurfaceGenus;
-    std::string Error;
-    int Index = -1; ///< in the simplified stream
+  using TargetList = std::vector<carving::SimplifiedTarget>;
 
-    const carving::DecimatedSurface* Find(double target) const;
-    int CountVertices(const carving::DecimatedSurface& surface) const;
-  };
-
-  std::vector<Trial> PlanTrials(const std::vector<carving::SimplifiedTarget>& targets) const;
-  bool RunTrial(carving::LevelTarget type, double begin, double share, Trial& trial);
   bool RunTrials(
-    carving::LevelTarget type, std::vector<Trial>& trials, std::vector<std::string>& problems);
-  void DropHopelessTargets(
-    carving::LevelTarget type, const std::vector<Trial>& trials, Trial& trial) const;
+    const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end);
+  bool RunTrial(carving::LevelTarget type, double begin, double end, LevelTrial& trial);
+  void DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const;
   double FindLeastError(int step, double enough) const;
-  void Choose(const carving::SimplifiedTarget& target, std::vector<Trial>& trials, int& lastStep);
-  void AddStep(Trial& trial);
+  void Choose(const TargetList& targets);
+  int AddStep(const LevelTrial& trial);
 
   CarvedLeaf<3>& Carved;
   CarverStages& Stages;
   const carving::ResolvedMesh& Mesh; ///< M
   carving::FaceDistance<3> Distance; ///< from M
+  std::vector<LevelTrial> Trials;    ///< that have been run
 };
 
 #endif

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/LevelTrials.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+
+using carving::DecimatedSurface;
+using carving::LevelTarget;
+using carving::Profile;
+using carving::SimplifiedTarget;
+
+bool HaveSameTopology(const Profile& profile, int a, int b)
+{
+  return profile.Components[a] == profile.Components[b] &&
+    profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
+}
+
+/** The last step up to `last` with at most this many vertices; -1 if C0 has more. */
+int FindStep(const Profile& profile, int last, double vertices)
+{
+  const auto begin = profile.Vertices.begin();
+  return static_cast<int>(std::upper_bound(begin, begin + last + 1, vertices) - begin) - 1;
+}
+
+/** Adds a target to the trial of a step, which is added if there is none. */
+void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step)
+{
+  auto trial = std::find_if(trials.begin(), trials.end(),
+    [&](const LevelTrial& other)
+    { return other.LastStep == target.LastStep && other.Step == step; });
+  if (trial == trials.end())
+  {
+    trials.emplace_back();
+    trial = trials.end() - 1;
+    trial->LastStep = target.LastStep;
+    trial->Step = step;
+  }
+  std::vector<double>& all = trial->Targets;
+  if (std::find(all.begin(), all.end(), target.Value) == all.end())
+  {
+    all.push_back(target.Value);
+    std::sort(all.begin(), all.end());
+    if (target.Type != LevelTarget::ErrorBound)
+    {
+      std::reverse(all.begin(), all.end());
+    }
+  }
+}
+
+/** The steps that are decimated for a target at first, from fine to coarse. */
+std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
+{
+  const int last = target.LastStep;
+  std::vector<int> steps = { last };
+  const double least = target.Type == LevelTarget::Vertices ? target.Value
+    : target.Type == LevelTarget::Triangles                 ? target.Value / 2.0
+                                                            : 1.0;
+  for (double count = profile.Vertices[last] / 2.0; count >= least; count /= 2.0)
+  {
+    const int step = FindStep(profile, last, count);
+    if (step < 0)
+    {
+      break;
+    }
+    if (!HaveSameTopology(profile, step, steps.back()))
+    {
+      steps.push_back(step);
+    }
+  }
+  // Collapses of a convex hull do not stick.
+  if (!HaveSameTopology(profile, 0, steps.back()))
+  {
+    steps.push_back(0);
+  }
+  return steps;
+}
+
+int CountVertices(const LevelTrial& trial, const DecimatedSurface& surface)
+{
+  return trial.Result.Chain.Vertices - surface.Collapses;
+}
+
+bool IsBetter(
+  LevelTarget type, const LevelTrial& trial, const DecimatedSurface& surface, const BestTrial& best)
+{
+  if (surface.Reached != best.Surface->Reached)
+  {
+    return surface.Reached > best.Surface->Reached;
+  }
+  return surface.Reached && type != LevelTarget::ErrorBound
+    ? surface.Error < best.Surface->Error
+    : CountVertices(trial, surface) < CountVertices(*best.Trial, *best.Surface);
+}
+
+} // namespace
+
+const DecimatedSurface* LevelTrial::Find(double target) const
+{
+  const auto found = std::find(this->Targets.begin(), this->Targets.end(), target);
+  const std::size_t index = found - this->Targets.begin();
+  return index < this->Result.Surfaces.size() ? &this->Result.Surfaces[index] : nullptr;
+}
+
+std::vector<LevelTrial> PlanTrials(
+  const Profile& profile, const std::vector<SimplifiedTarget>& targets)
+{
+  std::vector<LevelTrial> trials;
+  for (const SimplifiedTarget& target : targets)
+  {
+    for (const int step : SelectSteps(profile, target))
+    {
+      AddTarget(trials, target, step);
+    }
+    if (target.Type != LevelTarget::ErrorBound)
+    {
+      const carving::SelectedStep carved = carving::SelectStep(profile, target.Type, target.Value);
+      if (carved.Problem.empty() && carved.Step < target.LastStep)
+      {
+        AddTarget(trials, target, carved.Step);
+      }
+    }
+  }
+  // From fine to coarse: the first trials tell which others are worth their time.
+  std::stable_sort(trials.begin(), trials.end(),
+    [](const LevelTrial& a, const LevelTrial& b) { return a.Step > b.Step; });
+  return trials;
+}
+
+std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+{
+  std::vector<LevelTrial> added;
+  for (const SimplifiedTarget& target : targets)
+  {
+    const BestTrial best = FindBestTrial(trials, target, target.LastStep);
+    if (!best.Trial)
+    {
+      continue;
+    }
+    const int step = best.Trial->Step;
+    int coarser = -1, finer = target.LastStep + 1;
+    for (const LevelTrial& trial : trials)
+    {
+      coarser = trial.Step < step ? std::max(coarser, trial.Step) : coarser;
+      finer = trial.Step > step ? std::min(finer, trial.Step) : finer;
+    }
+    for (const auto& [low, high] : { std::array{ coarser, step }, std::array{ step, finer } })
+    {
+      if (low < 0 || high > target.LastStep)
+      {
+        continue;
+      }
+      const int middle = FindStep(profile, high,
+        std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
+      if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
+      {
+        AddTarget(added, target, middle);
+      }
+    }
+  }
+  return added;
+}
+
+BestTrial FindBestTrial(
+  const std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int lastStep)
+{
+  BestTrial best;
+  for (const LevelTrial& trial : trials)
+  {
+    const DecimatedSurface* surface = trial.Find(target.Value);
+    if (surface && trial.Step <= std::min(lastStep, target.LastStep) &&
+      (!best.Trial || IsBetter(target.Type, trial, *surface, best)))
+    {
+      best = { &trial, surface };
+    }
+  }
+  return best;
+}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which steps of a stream are decimated for which levels.
+ *
+ * A level with few vertices can be carved up to that number, or be carved further and decimated.
+ * Collapses keep the topology of a step, and stick where tunnels and components need all remaining
+ * vertices. A step of the same topology with fewer vertices only gives levels that are farther from
+ * M. So trials decimate the last step, and earlier ones whose topology differs.
+ */
+#ifndef LevelTrials_h
+#define LevelTrials_h
+
+#include "Core/Measure/SimplifiedStream.h"
+#include "Core/Protocol/Protocol.h"
+
+#include <string>
+#include <vector>
+
+/** A step of a stream that is decimated to some targets. */
+struct LevelTrial
+{
+  int LastStep; ///< of the targets
+  int Step;
+  std::vector<double> Targets; ///< from fine to coarse
+  carving::Decimation Result;
+  std::string Error;       ///< empty if the step could be decimated
+  std::vector<int> Points; ///< of the step's surface, in the stream
+  std::vector<int> Cells;  ///< per face of the step's surface: the cell of the stored stream
+  int SurfaceComponents = 0;
+  int SurfaceGenus = 0;
+
+  /** The surface for a target; null if there is none. */
+  const carving::DecimatedSurface* Find(double target) const;
+};
+
+/**
+ * The last step for each target, steps at halved numbers of vertices where the topology differs,
+ * C0, and the steps that reach numbers without a collapse: no level is farther from M. The targets
+ * are of one type and sorted from coarse to fine.
+ */
+std::vector<LevelTrial> PlanTrials(
+  const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);
+
+/**
+ * Steps between the best trial for each target and the next ones that have been tried before and
+ * after, where the topology differs.
+ */
+std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+
+struct BestTrial
+{
+  const LevelTrial* Trial = nullptr; ///< null if no trial has a surface for the target
+  const carving::DecimatedSurface* Surface = nullptr;
+};
+
+/**
+ * The best trial of a step up to `lastStep` for a target: one that reaches the target, and has the
+ * smallest distance from M, or, within an error bound, the fewest vertices.
+ */
+BestTrial FindBestTrial(
+  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
+
+#endif

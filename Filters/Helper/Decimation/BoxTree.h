@@ -23,11 +23,6 @@ struct Box
   explicit Box(std::initializer_list<Point> points);
   void Add(const Point& p);
   void Add(const Box& other);
-  bool Contains(const Point& p) const
-  {
-    return this->Lower[0] <= p[0] && p[0] <= this->Upper[0] && this->Lower[1] <= p[1] &&
-      p[1] <= this->Upper[1] && this->Lower[2] <= p[2] && p[2] <= this->Upper[2];
-  }
   bool Overlaps(const Box& other) const
   {
     return this->Lower[0] <= other.Upper[0] && other.Lower[0] <= this->Upper[0] &&
@@ -45,9 +40,16 @@ public:
   /** Replaces a box, and those of the nodes that contain it. */
   void Update(int index, const Box& box);
 
-  /** Calls `visit` with the index of each box that may overlap another one. */
+  /** Calls `visit` with the index of each box that overlaps another one. */
   template <class Visitor>
   void ForEachOverlap(const Box& box, Visitor&& visit) const
+  {
+    this->ForEach([&box](const Box& other) { return other.Overlaps(box); }, visit);
+  }
+
+  /** Calls `visit` with the index of each box that `meets` accepts, as it must all boxes around an accepted one. */
+  template <class Predicate, class Visitor>
+  void ForEach(Predicate&& meets, Visitor&& visit) const
   {
     int open[64];
     int count = 0;
@@ -58,7 +60,7 @@ public:
     while (count > 0)
     {
       const Node& node = this->Nodes[open[--count]];
-      if (!node.Bounds.Overlaps(box))
+      if (!meets(node.Bounds))
       {
         continue;
       }
@@ -70,7 +72,7 @@ public:
       }
       for (int i = node.First; i < node.Last; ++i)
       {
-        if (this->Boxes[this->Order[i]].Overlaps(box))
+        if (meets(this->Boxes[this->Order[i]]))
         {
           visit(this->Order[i]);
         }

@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace carving::helper
 {
@@ -166,19 +167,26 @@ bool Decimator::Run(const std::function<bool()>& goOn)
     {
       continue;
     }
-    Point w = outward.front();
+    const double nextCost =
+      this->Queue.empty() ? std::numeric_limits<double>::infinity() : this->Queue.front().Cost;
+    std::optional<Point> slid;
     if (!this->Nested && this->Surface.number_of_vertices() <= FewVertices)
     {
-      w = this->Place.SlideInward(star, error, w);
+      slid = this->Place.SlideInward(star, error, outward.front(), nextCost);
     }
-    const double cost = error.At(w);
-    if (cost > next.Cost && !this->Queue.empty() && cost > this->Queue.front().Cost)
+    const double cost = error.At(slid ? *slid : outward.front());
+    if (cost > nextCost)
     {
       this->Push(edge, cost);
       continue;
     }
-    std::any_of(outward.begin(), outward.end(),
-      [&](const Point& start) { return this->TryCollapse(edge, star, error, start); });
+    for (std::size_t i = 0; i < outward.size(); ++i)
+    {
+      if (this->TryCollapse(edge, star, error, outward[i], i == 0 ? slid : std::nullopt))
+      {
+        break;
+      }
+    }
   }
   return true;
 }
@@ -207,15 +215,20 @@ std::vector<Point> Decimator::FindOutward(
   return positions;
 }
 
-/** Collapses the edge into an outward position, or one that slides from there, if that is valid. */
-bool Decimator::TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w)
+/**
+ * Collapses the edge into an outward position, or on the way inward from there, if that is valid. `slid` is the end of
+ * the way if that is known.
+ */
+bool Decimator::TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w,
+  const std::optional<Point>& slid)
 {
   if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
   {
     return false;
   }
-  const bool slid = !this->Nested && this->Tighten(star, error, w);
-  if ((!slid && !this->IsFree(star, w)) || !this->IsWithinErrorBound(star, w))
+  const bool isTight =
+    !this->Nested && this->Tighten(star, slid ? *slid : this->Place.SlideInward(star, error, w), w);
+  if ((!isTight && !this->IsFree(star, w)) || !this->IsWithinErrorBound(star, w))
   {
     return false;
   }
@@ -223,13 +236,12 @@ bool Decimator::TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalErro
   return true;
 }
 
-/** Moves w inward, as far as that is valid. Returns false if no such position is valid. */
-bool Decimator::Tighten(const EdgeStar& star, const LocalError& error, Point& w)
+/** Moves w towards another position, as far as that is valid. Returns false if no such position is valid. */
+bool Decimator::Tighten(const EdgeStar& star, const Point& inward, Point& w) const
 {
-  const Point least = this->Place.SlideInward(star, error, w);
   for (const double share : { 1.0, 0.98, 0.7 })
   {
-    const Point x = Between(w, least, share);
+    const Point x = Between(w, inward, share);
     if (this->IsValid(star, x))
     {
       w = x;

@@ -15,6 +15,7 @@
 #include "Helper/Decimation/SurfaceMesh.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace carving::helper
@@ -81,9 +82,10 @@ private:
   bool IsFree(const EdgeStar& star, const Point& w) const;
   bool Crosses(const EdgeStar& star, const Point& w) const;
   bool SweepsOver(const EdgeStar& star, const Point& w) const;
-  bool Tighten(const EdgeStar& star, const LocalError& error, Point& w);
+  bool Tighten(const EdgeStar& star, const Point& inward, Point& w) const;
   std::vector<Point> FindOutward(HalfEdge edge, const EdgeStar& star, const LocalError& error);
-  bool TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w);
+  bool TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w,
+    const std::optional<Point>& slid);
   void Collapse(HalfEdge edge, const EdgeStar& star, const Point& w);
   void PushAround(Vertex vertex);
 

@@ -40,18 +40,56 @@ ContactSearch::ContactSearch(const Fan& fan, const Point& from, const Point& to,
   {
     const auto& [a, b] = fan[i];
     const Point& before = normals[(i + fan.size() - 1) % fan.size()];
-    FanFace face = { a, b, {}, {} };
-    for (int k = 0; k < 3; ++k)
-    {
-      face.Outward[k] = normals[i][k] + before[k];
-    }
-    for (const Point& p : { a, b, from, to })
-    {
-      face.Bounds.Add(p);
-    }
-    this->Bounds.Add(face.Bounds);
-    this->Faces.push_back(face);
+    this->Faces.push_back({ a, b, {}, {}, normals[i] + before });
   }
+  this->SetEnd(to);
+}
+
+/** Lets the motion end at a position. */
+void ContactSearch::SetEnd(const Point& to)
+{
+  this->Bounds = Box();
+  for (FanFace& face : this->Faces)
+  {
+    face.Bounds = Box({ face.A, face.B, this->From, to });
+    this->Bounds.Add(face.Bounds);
+    face.Slabs = { this->MakeSlab(face.A, face.B, this->From, to),
+      this->MakeSlab(face.A, face.B, to, this->From) };
+  }
+}
+
+/** Along the plane through a, b and w, and up to another point. */
+ContactSearch::Slab ContactSearch::MakeSlab(
+  const Point& a, const Point& b, const Point& w, const Point& other) const
+{
+  const Point normal = Cross(b - a, w - a);
+  const double tolerance = 2.0 * this->Margin * Length(normal);
+  const auto [lower, upper] = std::minmax({ Dot(normal, a), Dot(normal, other) });
+  return { normal, lower - tolerance, upper + tolerance };
+}
+
+bool ContactSearch::Overlaps(const Slab& slab, const Box& box)
+{
+  double lower = 0.0, upper = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double x = slab.Normal[k] * box.Lower[k], y = slab.Normal[k] * box.Upper[k];
+    lower += std::min(x, y);
+    upper += std::max(x, y);
+  }
+  return lower <= slab.Upper && slab.Lower <= upper;
+}
+
+bool ContactSearch::MayMeet(const FanFace& face, const Box& box)
+{
+  return face.Bounds.Overlaps(box) && Overlaps(face.Slabs[0], box) && Overlaps(face.Slabs[1], box);
+}
+
+bool ContactSearch::MayMeet(const Box& box) const
+{
+  return this->Bounds.Overlaps(box) &&
+    std::any_of(this->Faces.begin(), this->Faces.end(),
+      [&box](const FanFace& face) { return MayMeet(face, box); });
 }
 
 /** w runs into a triangle. */
@@ -68,9 +106,10 @@ void ContactSearch::AddTriangle(const Point& p, const Point& q, const Point& r)
 /** A face of the fan runs into a vertex. */
 void ContactSearch::AddVertex(const Point& m)
 {
+  const Box bounds({ m });
   for (const FanFace& face : this->Faces)
   {
-    if (m == face.A || m == face.B || !face.Bounds.Contains(m))
+    if (m == face.A || m == face.B || !MayMeet(face, bounds))
     {
       continue;
     }
@@ -94,7 +133,7 @@ void ContactSearch::AddEdge(const Point& p, const Point& q)
   for (const FanFace& face : this->Faces)
   {
     const Point& a = face.A;
-    if (a == p || a == q || !face.Bounds.Overlaps(bounds))
+    if (a == p || a == q || !MayMeet(face, bounds))
     {
       continue;
     }
@@ -148,6 +187,7 @@ void ContactSearch::Set(double time, const Point& normal, const Point& p)
     const Point n = normal / length;
     this->Time = time;
     this->Allowed = { n, Dot(n, p) + this->Margin };
+    this->SetEnd(this->PositionAt(time));
   }
 }
 

@@ -35,11 +35,8 @@ public:
   /** Contacts leave a distance of `margin` between the parts. */
   ContactSearch(const Fan& fan, const Point& from, const Point& to, double margin);
 
-  /** The bounds of all faces during the motion. */
-  const Box& GetBounds() const
-  {
-    return this->Bounds;
-  }
+  /** Whether a face of the fan may meet something in the box before the first contact so far. */
+  bool MayMeet(const Box& box) const;
 
   void AddTriangle(const Point& p, const Point& q, const Point& r);
   void AddVertex(const Point& m);
@@ -52,17 +49,30 @@ private:
   void Set(double time, const Point& normal, const Point& p);
   Point PositionAt(double time) const;
 
+  /** The space between two parallel planes. */
+  struct Slab
+  {
+    Point Normal;
+    double Lower, Upper;
+  };
+
   struct FanFace
   {
     Point A, B;
-    Box Bounds;    ///< during the motion
-    Point Outward; ///< at the edge from A to w, at the start of the motion
+    Box Bounds;                ///< during the motion
+    std::array<Slab, 2> Slabs; ///< around the motion, along its first and its last plane
+    Point Outward;             ///< at the edge from A to w, at the start of the motion
   };
+
+  static bool MayMeet(const FanFace& face, const Box& box);
+  static bool Overlaps(const Slab& slab, const Box& box);
+  Slab MakeSlab(const Point& a, const Point& b, const Point& w, const Point& other) const;
+  void SetEnd(const Point& to);
 
   std::vector<FanFace> Faces;
   Point From, Along;
   double Margin;
-  Box Bounds;
+  Box Bounds; ///< of all faces
   double Time;
   HalfSpace Allowed = {};
 };

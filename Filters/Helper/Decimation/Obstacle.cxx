@@ -89,7 +89,7 @@ std::optional<FirstContact> Obstacle::FindContact(
   const Fan& fan, const Point& from, const Point& to) const
 {
   ContactSearch search(fan, from, to, this->Margin);
-  this->Tree.ForEachOverlap(search.GetBounds(),
+  this->Tree.ForEach([&search](const Box& box) { return search.MayMeet(box); },
     [&](int t)
     {
       const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);

@@ -162,7 +162,8 @@ std::optional<Point> Placement::Minimize(const LocalError& error)
   return std::nullopt;
 }
 
-Point Placement::SlideInward(const EdgeStar& star, const LocalError& error, const Point& start)
+Point Placement::SlideInward(
+  const EdgeStar& star, const LocalError& error, const Point& start, double limit)
 {
   constexpr double almost = 0.999; // of the way to a contact
   this->Current.clear();
@@ -173,6 +174,10 @@ Point Placement::SlideInward(const EdgeStar& star, const LocalError& error, cons
     if (!least)
     {
       break;
+    }
+    if (error.At(*least) > limit)
+    {
+      return *least; // contacts only add constraints
     }
     const std::optional<FirstContact> contact = this->M.FindContact(star.Link, w, *least);
     if (!contact)

@@ -10,6 +10,7 @@
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -51,9 +52,11 @@ public:
 
   /**
    * The position of least error that a vertex reaches from an outward position while its faces slide along M.
-   * Decided in floating point: the caller has to check the result.
+   * Decided in floating point: the caller has to check the result. Stops early if the error will exceed `limit`, at a
+   * position of less error than that at the end, but more than `limit`.
    */
-  Point SlideInward(const EdgeStar& star, const LocalError& error, const Point& start);
+  Point SlideInward(const EdgeStar& star, const LocalError& error, const Point& start,
+    double limit = std::numeric_limits<double>::infinity());
 
 private:
   std::optional<Point> Minimize(const LocalError& error);

@@ -58,6 +58,10 @@ std::vector<Box> BoxesOf(const SurfaceMesh& mesh)
 
 EdgeStar::EdgeStar(const SurfaceMesh& mesh, HalfEdge edge)
 {
+  constexpr std::size_t usual = 16; // most stars have fewer faces
+  this->Faces.reserve(usual);
+  this->Corners.reserve(usual);
+  this->Link.reserve(usual);
   const Face vanishing[] = { mesh.face(edge), mesh.face(mesh.opposite(edge)) };
   for (const HalfEdge start : { edge, mesh.opposite(edge) })
   {

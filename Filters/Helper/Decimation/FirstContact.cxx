@@ -25,71 +25,57 @@ bool ProjectsInto(
 
 } // namespace
 
+SweptFace::SweptFace(
+  const Point& a, const Point& b, const Point& from, const Point& to, double margin)
+  : Bounds({ a, b, from, to })
+{
+  const auto makeSlab = [&](const Point& w, const Point& other)
+  {
+    const Point normal = Cross(b - a, w - a);
+    const double tolerance = 2.0 * margin * Length(normal);
+    const auto [lower, upper] = std::minmax({ Dot(normal, a), Dot(normal, other) });
+    return Slab{ normal, lower - tolerance, upper + tolerance };
+  };
+  this->Slabs = { makeSlab(from, to), makeSlab(to, from) };
+}
+
+bool SweptFace::Slab::Overlaps(const Box& box) const
+{
+  double lower = 0.0, upper = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const double x = this->Normal[k] * box.Lower[k], y = this->Normal[k] * box.Upper[k];
+    lower += std::min(x, y);
+    upper += std::max(x, y);
+  }
+  return lower <= this->Upper && this->Lower <= upper;
+}
+
+bool SweptFace::MayMeet(const Box& box) const
+{
+  return this->Bounds.Overlaps(box) && this->Slabs[0].Overlaps(box) && this->Slabs[1].Overlaps(box);
+}
+
 ContactSearch::ContactSearch(const Fan& fan, const Point& from, const Point& to, double margin)
   : From(from)
   , Along(to - from)
   , Margin(margin)
   , Time(Never)
 {
-  std::vector<Point> normals;
+  this->Faces.reserve(fan.size());
+  Point before = Cross(fan.back()[1] - fan.back()[0], from - fan.back()[0]);
   for (const auto& [a, b] : fan)
   {
-    normals.push_back(Cross(b - a, from - a));
-  }
-  for (std::size_t i = 0; i < fan.size(); ++i)
-  {
-    const auto& [a, b] = fan[i];
-    const Point& before = normals[(i + fan.size() - 1) % fan.size()];
-    this->Faces.push_back({ a, b, {}, {}, normals[i] + before });
-  }
-  this->SetEnd(to);
-}
-
-/** Lets the motion end at a position. */
-void ContactSearch::SetEnd(const Point& to)
-{
-  this->Bounds = Box();
-  for (FanFace& face : this->Faces)
-  {
-    face.Bounds = Box({ face.A, face.B, this->From, to });
-    this->Bounds.Add(face.Bounds);
-    face.Slabs = { this->MakeSlab(face.A, face.B, this->From, to),
-      this->MakeSlab(face.A, face.B, to, this->From) };
+    const Point normal = Cross(b - a, from - a);
+    this->Faces.push_back({ a, b, normal + before });
+    before = normal;
   }
 }
 
-/** Along the plane through a, b and w, and up to another point. */
-ContactSearch::Slab ContactSearch::MakeSlab(
-  const Point& a, const Point& b, const Point& w, const Point& other) const
+SweptFace ContactSearch::Sweep(std::size_t face) const
 {
-  const Point normal = Cross(b - a, w - a);
-  const double tolerance = 2.0 * this->Margin * Length(normal);
-  const auto [lower, upper] = std::minmax({ Dot(normal, a), Dot(normal, other) });
-  return { normal, lower - tolerance, upper + tolerance };
-}
-
-bool ContactSearch::Overlaps(const Slab& slab, const Box& box)
-{
-  double lower = 0.0, upper = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double x = slab.Normal[k] * box.Lower[k], y = slab.Normal[k] * box.Upper[k];
-    lower += std::min(x, y);
-    upper += std::max(x, y);
-  }
-  return lower <= slab.Upper && slab.Lower <= upper;
-}
-
-bool ContactSearch::MayMeet(const FanFace& face, const Box& box)
-{
-  return face.Bounds.Overlaps(box) && Overlaps(face.Slabs[0], box) && Overlaps(face.Slabs[1], box);
-}
-
-bool ContactSearch::MayMeet(const Box& box) const
-{
-  return this->Bounds.Overlaps(box) &&
-    std::any_of(this->Faces.begin(), this->Faces.end(),
-      [&box](const FanFace& face) { return MayMeet(face, box); });
+  const Point to = this->PositionAt(std::min(this->Time, 1.0));
+  return { this->Faces[face].A, this->Faces[face].B, this->From, to, this->Margin };
 }
 
 /** w runs into a triangle. */
@@ -104,57 +90,50 @@ void ContactSearch::AddTriangle(const Point& p, const Point& q, const Point& r)
 }
 
 /** A face of the fan runs into a vertex. */
-void ContactSearch::AddVertex(const Point& m)
+void ContactSearch::AddVertex(std::size_t face, const Point& m)
 {
-  const Box bounds({ m });
-  for (const FanFace& face : this->Faces)
+  const auto& [a, b, outward] = this->Faces[face];
+  if (m == a || m == b)
   {
-    if (m == face.A || m == face.B || !MayMeet(face, bounds))
+    return;
+  }
+  const Point normal = Cross(b - a, m - a);
+  const double time = this->FindTime(normal, a);
+  if (time < this->Time)
+  {
+    const Point w = this->PositionAt(time);
+    if (ProjectsInto(a, b, w, Cross(b - a, w - a), m))
     {
-      continue;
-    }
-    const Point normal = Cross(face.B - face.A, m - face.A);
-    const double time = this->FindTime(normal, face.A);
-    if (time < this->Time)
-    {
-      const Point w = this->PositionAt(time);
-      if (ProjectsInto(face.A, face.B, w, Cross(face.B - face.A, w - face.A), m))
-      {
-        this->Set(time, normal, face.A);
-      }
+      this->Set(time, normal, a);
     }
   }
 }
 
 /** The edge of the fan from A to w runs into an edge. */
-void ContactSearch::AddEdge(const Point& p, const Point& q)
+void ContactSearch::AddEdge(std::size_t face, const Point& p, const Point& q)
 {
-  const Box bounds({ p, q });
-  for (const FanFace& face : this->Faces)
+  const auto& [a, b, outward] = this->Faces[face];
+  if (a == p || a == q)
   {
-    const Point& a = face.A;
-    if (a == p || a == q || !MayMeet(face, bounds))
-    {
-      continue;
-    }
-    Point normal = Cross(p - a, q - a);
-    if (Dot(normal, face.Outward) < 0.0)
-    {
-      normal = Negated(normal);
-    }
-    const double time = this->FindTime(normal, a);
-    if (time >= this->Time)
-    {
-      continue;
-    }
-    // In their common plane, each edge separates the ends of the other one.
-    const Point w = this->PositionAt(time);
-    const auto side = [&normal](const Point& from, const Point& to, const Point& x)
-    { return Dot(Cross(to - from, x - from), normal); };
-    if (side(a, w, p) * side(a, w, q) <= 0.0 && side(p, q, a) * side(p, q, w) <= 0.0)
-    {
-      this->Set(time, normal, a);
-    }
+    return;
+  }
+  Point normal = Cross(p - a, q - a);
+  if (Dot(normal, outward) < 0.0)
+  {
+    normal = Negated(normal);
+  }
+  const double time = this->FindTime(normal, a);
+  if (time >= this->Time)
+  {
+    return;
+  }
+  // In their common plane, each edge separates the ends of the other one.
+  const Point w = this->PositionAt(time);
+  const auto side = [&normal](const Point& from, const Point& to, const Point& x)
+  { return Dot(Cross(to - from, x - from), normal); };
+  if (side(a, w, p) * side(a, w, q) <= 0.0 && side(p, q, a) * side(p, q, w) <= 0.0)
+  {
+    this->Set(time, normal, a);
   }
 }
 
@@ -187,7 +166,6 @@ void ContactSearch::Set(double time, const Point& normal, const Point& p)
     const Point n = normal / length;
     this->Time = time;
     this->Allowed = { n, Dot(n, p) + this->Margin };
-    this->SetEnd(this->PositionAt(time));
   }
 }
 

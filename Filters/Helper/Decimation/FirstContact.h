@@ -24,6 +24,28 @@ struct FirstContact
   HalfSpace Allowed; ///< the positions of w that keep the touching parts apart
 };
 
+/** The space that a face of a fan passes through during a motion of w, slightly enlarged. */
+class SweptFace
+{
+public:
+  SweptFace(const Point& a, const Point& b, const Point& from, const Point& to, double margin);
+
+  bool MayMeet(const Box& box) const;
+
+private:
+  /** The space between two parallel planes. */
+  struct Slab
+  {
+    Point Normal;
+    double Lower, Upper;
+
+    bool Overlaps(const Box& box) const;
+  };
+
+  Box Bounds;
+  std::array<Slab, 2> Slabs; ///< parallel to the face at the start and at the end
+};
+
 /**
  * Searches for the first contact while w moves on a straight line, in floating point. The mesh lies behind the
  * fan at first. Only w moves, so that each kind of contact (w and a triangle, a face of the fan and a vertex, an edge
@@ -35,12 +57,23 @@ public:
   /** Contacts leave a distance of `margin` between the parts. */
   ContactSearch(const Fan& fan, const Point& from, const Point& to, double margin);
 
-  /** Whether a face of the fan may meet something in the box before the first contact so far. */
-  bool MayMeet(const Box& box) const;
+  std::size_t GetNumberOfFaces() const
+  {
+    return this->Faces.size();
+  }
+
+  /** The box of the way of w. */
+  Box GetPath() const
+  {
+    return Box({ this->From, this->From + this->Along });
+  }
+
+  /** The motion of a face of the fan until the first contact so far. */
+  SweptFace Sweep(std::size_t face) const;
 
   void AddTriangle(const Point& p, const Point& q, const Point& r);
-  void AddVertex(const Point& m);
-  void AddEdge(const Point& p, const Point& q);
+  void AddVertex(std::size_t face, const Point& m);
+  void AddEdge(std::size_t face, const Point& p, const Point& q);
 
   std::optional<FirstContact> Get() const;
 
@@ -49,30 +82,15 @@ private:
   void Set(double time, const Point& normal, const Point& p);
   Point PositionAt(double time) const;
 
-  /** The space between two parallel planes. */
-  struct Slab
-  {
-    Point Normal;
-    double Lower, Upper;
-  };
-
   struct FanFace
   {
     Point A, B;
-    Box Bounds;                ///< during the motion
-    std::array<Slab, 2> Slabs; ///< around the motion, along its first and its last plane
-    Point Outward;             ///< at the edge from A to w, at the start of the motion
+    Point Outward; ///< at the edge from A to w, at the start of the motion
   };
-
-  static bool MayMeet(const FanFace& face, const Box& box);
-  static bool Overlaps(const Slab& slab, const Box& box);
-  Slab MakeSlab(const Point& a, const Point& b, const Point& w, const Point& other) const;
-  void SetEnd(const Point& to);
 
   std::vector<FanFace> Faces;
   Point From, Along;
   double Margin;
-  Box Bounds; ///< of all faces
   double Time;
   HalfSpace Allowed = {};
 };

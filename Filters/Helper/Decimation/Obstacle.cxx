@@ -89,24 +89,32 @@ std::optional<FirstContact> Obstacle::FindContact(
   const Fan& fan, const Point& from, const Point& to) const
 {
   ContactSearch search(fan, from, to, this->Margin);
-  this->Tree.ForEach([&search](const Box& box) { return search.MayMeet(box); },
+  this->Tree.ForEachOverlap(search.GetPath(),
     [&](int t)
     {
       const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
       search.AddTriangle(p, q, r);
-      const Point* corners[] = { &p, &q, &r };
-      for (int k = 0; k < 3; ++k)
-      {
-        if (this->Vertices[t] >> k & 1)
-        {
-          search.AddVertex(*corners[k]);
-        }
-        if (this->Edges[t] >> k & 1)
-        {
-          search.AddEdge(*corners[k], *corners[(k + 1) % 3]);
-        }
-      }
     });
+  for (std::size_t face = 0; face < search.GetNumberOfFaces(); ++face)
+  {
+    const SweptFace swept = search.Sweep(face);
+    this->Tree.ForEach([&swept](const Box& box) { return swept.MayMeet(box); },
+      [&](int t)
+      {
+        const auto corners = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
+        for (int k = 0; k < 3; ++k)
+        {
+          if (this->Vertices[t] >> k & 1)
+          {
+            search.AddVertex(face, corners[k]);
+          }
+          if (this->Edges[t] >> k & 1)
+          {
+            search.AddEdge(face, corners[k], corners[(k + 1) % 3]);
+          }
+        }
+      });
+  }
   return search.Get();
 }
 

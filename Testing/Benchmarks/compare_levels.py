@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Compare simplified levels with CGAL's alpha wrap and VTK's quadric decimation at equal numbers of vertices.
 
-usage: compare_levels.py CARVE ALPHA_WRAP MESH...
+usage: compare_levels.py CARVE ALPHA_WRAP FOLDER MESH...
 
 Prints a table in Markdown: distances of the level from the mesh as thousandths of the mesh's diagonal (the largest, and
-the mean over the surface), the share of the mesh's vertices that lie outside, and seconds. Distances are measured at
-the level's vertices and at random points of its triangles, so that the largest is a lower bound. The carved level has
-at most as many vertices as asked for, or the hull's if these are more.
+the mean over the surface), the share of the mesh's vertices that lie outside, the intersection over the union of its
+silhouettes and those of the mesh from 26 directions, the pixels of the mesh's silhouettes that are lost, and seconds.
+Distances are measured at the level's vertices and at random points of its triangles, so that the largest is a lower
+bound. The carved level has at most as many vertices as asked for, or the hull's if these are more. The levels of a mesh
+come from one run of carve; the seconds of the run stand beside its first level. FOLDER gets pictures and index.html.
 """
 import os
 import subprocess
@@ -16,11 +18,12 @@ import tempfile
 import time
 
 import numpy as np
+from level_pictures import Page, Silhouettes
+from show_levels import read_levels
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
-from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader
 
 TARGETS = (200, 500, 1000, 2000, 5000)
 SAMPLES = 20000
@@ -105,22 +108,20 @@ def judge(mesh, level):
     return 1000.0 * largest / diagonal, 1000.0 * sampled.mean() / diagonal, outside
 
 
-def run_carve(carve, path, target, folder, *options):
-    output = os.path.join(folder, "level.vtm")
+def run_carve(carve, path, targets, folder, *options):
+    """A level for each target, and the seconds of the run."""
+    output = os.path.join(folder, "levels.vtm")
     start = time.perf_counter()
-    subprocess.run([carve, path, "--vertices", str(target), "-o", output, *options], check=True,
+    subprocess.run([carve, path, "--vertices", ",".join(map(str, targets)), "-o", output, *options], check=True,
                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     seconds = time.perf_counter() - start
-    reader = vtkXMLMultiBlockDataReader()
-    reader.SetFileName(output)
-    reader.Update()
-    return to_arrays(reader.GetOutput().GetBlock(0)), seconds
+    return [(level, seconds if i == 0 else None) for i, level in enumerate(read_levels(output))]
 
 
 def run_alpha_wrap(program, path, target, folder):
     output = os.path.join(folder, "wrap.off")
     run = subprocess.run([program, path, output, str(target)], check=True, capture_output=True, text=True)
-    return read_off(output), float(run.stdout)
+    return to_poly_data(*read_off(output)), float(run.stdout)
 
 
 def run_quadric(mesh, target):
@@ -132,37 +133,54 @@ def run_quadric(mesh, target):
     seconds = time.perf_counter() - start
     points, triangles = to_arrays(decimation.GetOutput())
     used, triangles = np.unique(triangles, return_inverse=True)
-    return (points[used].astype(float), triangles.reshape(-1, 3)), seconds
+    return to_poly_data(points[used].astype(float), triangles.reshape(-1, 3)), seconds
 
 
-def compare(carve, alpha_wrap, path):
-    mesh = read_off(path)
-    name = os.path.splitext(os.path.basename(path))[0]
+def run_all(carve, alpha_wrap, mesh, targets):
+    """The names of the methods, and for each target a surface and its seconds for each method."""
     with tempfile.TemporaryDirectory() as folder:
         # All programs read the same file, which has triangles only.
         plain = os.path.join(folder, "mesh.off")
         write_off(plain, *mesh)
-        for target in TARGETS:
-            if 2 * target > len(mesh[0]):
-                break
-            for method, run in (
-                    ("carve --simplify", lambda: run_carve(carve, plain, target, folder, "--simplify")),
-                    ("carve", lambda: run_carve(carve, plain, target, folder)),
-                    ("alpha wrap", lambda: run_alpha_wrap(alpha_wrap, plain, target, folder)),
-                    ("vtkQuadricDecimation", lambda: run_quadric(mesh, target))):
-                level, seconds = run()
-                largest, mean, outside = judge(mesh, level)
-                print(f"| {name} ({len(mesh[0])}) | {target} | {method} | {len(level[0])} | {largest:.2f} | "
-                      f"{mean:.3f} | {100.0 * outside:.1f} % | {seconds:.2f} |", flush=True)
+        methods = {
+            "carve --simplify": run_carve(carve, plain, targets, folder, "--simplify"),
+            "carve": run_carve(carve, plain, targets, folder),
+            "alpha wrap": [run_alpha_wrap(alpha_wrap, plain, target, folder) for target in targets],
+            "vtkQuadricDecimation": [run_quadric(mesh, target) for target in targets]}
+    return list(methods), list(zip(*methods.values()))
+
+
+def compare(carve, alpha_wrap, path, page):
+    mesh = read_off(path)
+    name = os.path.splitext(os.path.basename(path))[0]
+    data = to_poly_data(*mesh)
+    silhouettes = Silhouettes(data)
+    targets = [target for target in TARGETS if 2 * target <= len(mesh[0])]
+    methods, rows = run_all(carve, alpha_wrap, mesh, targets)
+    surfaces, texts = [], []
+    for target, row in zip(targets, rows):
+        for method, (surface, seconds) in zip(methods, row):
+            largest, mean, outside = judge(mesh, to_arrays(surface))
+            overlap, lost = silhouettes.compare(surface)
+            vertices = surface.GetNumberOfPoints()
+            print(f"| {name} ({len(mesh[0])}) | {target} | {method} | {vertices} | {largest:.2f} | {mean:.3f} | "
+                  f"{100.0 * outside:.1f} % | {overlap:.3f} | {lost} | "
+                  f"{'' if seconds is None else format(seconds, '.2f')} |", flush=True)
+            surfaces.append(surface)
+            texts.append(f"{method}, {vertices:,} vertices\nlargest {largest:.1f}, mean {mean:.2f}\n"
+                         f"silhouette {overlap:.3f}, {100.0 * outside:.0f} % outside")
+    page.add(name, data, surfaces, texts, len(methods))
 
 
 def main():
-    if len(sys.argv) < 4:
+    if len(sys.argv) < 5:
         sys.exit(__doc__)
-    print("| mesh (vertices) | target | method | vertices | largest | mean | outside | seconds |")
-    print("|---|---|---|---|---|---|---|---|")
-    for path in sys.argv[3:]:
-        compare(sys.argv[1], sys.argv[2], path)
+    carve, alpha_wrap, folder = sys.argv[1:4]
+    page = Page(folder)
+    print("| mesh (vertices) | target | method | vertices | largest | mean | outside | silhouettes | lost | seconds |")
+    print("|---|---|---|---|---|---|---|---|---|---|")
+    for path in sys.argv[4:]:
+        compare(carve, alpha_wrap, path, page)
 
 
 if __name__ == "__main__":

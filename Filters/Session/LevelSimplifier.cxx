@@ -70,6 +70,17 @@ LevelSimplifier::LevelSimplifier(
 {
 }
 
+/** Drops the numbers that the topology leaves no hope for. */
+void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
+{
+  // A closed surface has at least four vertices. In practice, each handle keeps about as many.
+  const double least = 4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0);
+  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
+                        [least](double target) { return std::max(target, 4.0) < least; }),
+    trial.Targets.end());
+}
+
+/** Decimates the step of a trial. Returns false if the filter is to stop. */
 bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, LevelTrial& trial)
 {
   const carving::StoredStream<3>& stream = this->Carved.Stream;
@@ -83,6 +94,14 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   const carving::SurfaceTopology topology = carving::MeasureSurface(cut);
   trial.SurfaceComponents = topology.Components;
   trial.SurfaceGenus = topology.Genus;
+  if (type != LevelTarget::ErrorBound)
+  {
+    DropNumbersOutOfReach(trial);
+  }
+  if (trial.Targets.empty())
+  {
+    return true;
+  }
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;
   job.Mesh = { this->Mesh.Points, this->Mesh.Facets };

@@ -41,6 +41,7 @@ private:
   bool RunTrials(
     const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end);
   bool RunTrial(carving::LevelTarget type, double begin, double end, LevelTrial& trial);
+  static void DropNumbersOutOfReach(LevelTrial& trial);
   void DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const;
   double FindLeastError(int step, double enough) const;
   void Choose(const TargetList& targets);

@@ -248,14 +248,12 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
   {
     return true;
   }
-  constexpr double shares[] = { 0.0, 0.5, 0.75,
-    1.0 }; // of the stage: each round halves what is left
-  for (int round = 0; round < 3; ++round)
+  constexpr int rounds = 4;
+  for (int round = 0; round < rounds; ++round)
   {
-    if (!this->RunTrials(targets,
-          round == 0 ? PlanTrials(profile, targets)
-                     : PlanTrialsBetween(profile, targets, this->Trials),
-          shares[round], shares[round + 1]))
+    std::vector<LevelTrial> trials =
+      round == 0 ? PlanTrials(profile, targets) : PlanTrialsBetween(profile, targets, this->Trials);
+    if (!this->RunTrials(targets, std::move(trials), round * 1.0 / rounds, (round + 1.0) / rounds))
     {
       return false;
     }

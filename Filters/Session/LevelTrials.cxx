@@ -79,6 +79,37 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
   return steps;
 }
 
+/** The steps halfway to the next ones that have been tried, unless the topology is no other. */
+std::vector<int> FindStepsBetween(
+  const Profile& profile, const std::vector<LevelTrial>& trials, const LevelTrial& best)
+{
+  int coarser = best.Step, finer = best.Step;
+  for (const LevelTrial& trial : trials)
+  {
+    const int step = trial.Step;
+    if (step < best.Step && (coarser == best.Step || step > coarser))
+    {
+      coarser = step;
+    }
+    if (step > best.Step && step <= best.LastStep && (finer == best.Step || step < finer))
+    {
+      finer = step;
+    }
+  }
+  std::vector<int> steps;
+  for (const auto& [low, high] :
+    { std::array{ coarser, best.Step }, std::array{ best.Step, finer } })
+  {
+    const int middle = FindStep(profile, high,
+      std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
+    if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
+    {
+      steps.push_back(middle);
+    }
+  }
+  return steps;
+}
+
 int CountVertices(const LevelTrial& trial, const DecimatedSurface& surface)
 {
   return trial.Result.Chain.Vertices - surface.Collapses;
@@ -134,31 +165,19 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
   std::vector<LevelTrial> added;
-  for (const SimplifiedTarget& target : targets)
+  for (auto target = targets.begin(); target != targets.end(); ++target)
   {
-    const BestTrial best = FindBestTrial(trials, target, target.LastStep);
-    if (!best.Trial)
+    const BestTrial best = FindBestTrial(trials, *target, target->LastStep);
+    for (const int step :
+      best.Trial ? FindStepsBetween(profile, trials, *best.Trial) : std::vector<int>())
     {
-      continue;
-    }
-    const int step = best.Trial->Step;
-    int coarser = -1, finer = target.LastStep + 1;
-    for (const LevelTrial& trial : trials)
-    {
-      coarser = trial.Step < step ? std::max(coarser, trial.Step) : coarser;
-      finer = trial.Step > step ? std::min(finer, trial.Step) : finer;
-    }
-    for (const auto& [low, high] : { std::array{ coarser, step }, std::array{ step, finer } })
-    {
-      if (low < 0 || high > target.LastStep)
+      // A coarser level may not come from a later step, so the coarser targets are tried as well.
+      for (auto coarser = targets.begin(); coarser <= target; ++coarser)
       {
-        continue;
-      }
-      const int middle = FindStep(profile, high,
-        std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
-      if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
-      {
-        AddTarget(added, target, middle);
+        if (coarser->LastStep == target->LastStep)
+        {
+          AddTarget(added, *coarser, step);
+        }
       }
     }
   }

@@ -43,8 +43,8 @@ std::vector<LevelTrial> PlanTrials(
   const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
- * Steps between the best trial for each target and the next ones that have been tried before and
- * after, where the topology differs.
+ * Steps halfway between the best trial for each target and the next ones that have been tried
+ * before and after, where the topology differs. They are tried for all coarser targets, too.
  */
 std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);

@@ -239,10 +239,11 @@ public:
   ///@{
   /**
    * The treatment of a mesh that TetGen cannot tetrahedralize. Without effect on contours.
-   * - EXACT: TetGen is tried with up to six orders of the points and triangles. If M is closed,
-   *   TetGen is then tried without the triangles that have solid on both sides, which no level
-   *   shows. The next attempt adds vertices on the triangles: at most 10 for each of M's own, plus
-   *   100,000. If all attempts fail, the result is an error. The last level is M.
+   * - EXACT: TetGen is tried with two orders of the points and triangles. If M is closed, TetGen
+   *   is then tried without the triangles that have solid on both sides, which no level shows. The
+   *   next attempts add vertices on the triangles, at most 10 for each of M's own, plus 100,000,
+   *   and may cut the parts of a triangle in another way. If all attempts fail, the result is an
+   *   error. The last level is M.
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
    *   are never carved: levels enclose M and do not cross themselves, but the last level only
    *   approximates M (see EnclosingTolerance).

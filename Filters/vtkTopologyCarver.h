@@ -48,7 +48,7 @@
  *
  * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, order 1" and so on; "TetGen -pcY,
  * without interior" if triangles inside the solid were left out, which the stream then lacks;
- * "TetGen -pcM" if vertices were added on the triangles; "TetGen -pcY, snapped" if points were
+ * "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points were
  * moved; and "Delaunay, enclosing".
  *
  * **Topology.** K_i is the union of M, the solid and all tetrahedra that are not carved before or

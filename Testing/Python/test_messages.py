@@ -29,7 +29,7 @@ ENDS_OF_ATTEMPTS = ("TetGen ", "crashed", "of processor time", "was killed", "co
 
 # Literals that begin like a sentence but are names in field data.
 NAMES = {
-    "TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcY, without interior", "TetGen -pcY, snapped", "TetGen -pcM",
+    "TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcY, without interior", "TetGen -pcY, snapped", "TetGen -pc",
     "Delaunay, enclosing", "CGAL constrained Delaunay", "LOD "}
 
 

@@ -21,10 +21,8 @@ namespace carving::helper
 namespace
 {
 
-constexpr int NumberOfOrders = 6;
-constexpr int NumberOfOrdersBeforeDropping = 2; ///< the interior
-constexpr int NumberOfSplitOrders = 2;          ///< with points added on triangles
-constexpr int NumberOfSnappedOrders = 3;        ///< on each grid
+constexpr int NumberOfOrders = 2;
+constexpr int NumberOfSnappedOrders = 3; ///< on each grid
 constexpr int NumberOfGrids = 3;
 constexpr double GridRatio = 8.0; ///< between the spacings of one grid and the next
 /** Auto does not resolve a mesh that has more crossings per triangle. */
@@ -141,11 +139,9 @@ bool StrategyRun::TryExact()
   }
   this->Host.End();
   this->Host.Begin(Stage::Tetrahedralize);
-  return this->TryOrders("TetGen -pcY", 0, NumberOfOrdersBeforeDropping, SurfacePoints::None) ||
+  return this->TryOrders("TetGen -pcY", 0, NumberOfOrders, SurfacePoints::None) ||
     this->TryWithoutInterior() ||
-    this->TryOrders(
-      "TetGen -pcY", NumberOfOrdersBeforeDropping, NumberOfOrders, SurfacePoints::None) ||
-    this->TryOrders("TetGen -pcM", 0, NumberOfSplitOrders, SurfacePoints::Allowed);
+    this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
 }
 
 /** Tries M with its points moved, on ever finer grids. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Base/CoplanarTriangles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carving::helper
@@ -25,13 +27,24 @@ CGAL::Orientation OrientationOf(const Flat& t)
   return CGAL::orientation(t[0], t[1], t[2]);
 }
 
+double TwiceArea(const Flat& t)
+{
+  const auto [ux, uy] = std::array{ t[1].x() - t[0].x(), t[1].y() - t[0].y() };
+  const auto [vx, vy] = std::array{ t[2].x() - t[0].x(), t[2].y() - t[0].y() };
+  return std::abs(ux * vy - uy * vx);
+}
+
 /**
  * Two coordinate axes, ordered so that the projection of the triangle along the third is
- * counter-clockwise.
+ * counter-clockwise. The largest projection comes first: in others, roundings may prevail.
  */
 std::array<int, 2> ProjectionOf(const Corners3& t)
 {
-  for (const auto& [x, y] : { std::array{ 0, 1 }, std::array{ 1, 2 }, std::array{ 2, 0 } })
+  std::array<std::array<int, 2>, 3> all = { { { 0, 1 }, { 1, 2 }, { 2, 0 } } };
+  std::stable_sort(all.begin(), all.end(),
+    [&](const auto& a, const auto& b)
+    { return TwiceArea(Project(t, a)) > TwiceArea(Project(t, b)); });
+  for (const auto& [x, y] : all)
   {
     const CGAL::Orientation orientation = OrientationOf(Project(t, { x, y }));
     if (orientation != CGAL::COLLINEAR)

@@ -30,7 +30,9 @@ bool AreInPlane(const std::vector<Point>& points, const ResolvedMesh& surface)
     });
 }
 
-void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& surface)
+/** `classes` has the class of each facet, or is empty if every facet has to stay whole. */
+void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& surface,
+  const std::vector<int>& classes)
 {
   io.numberofpoints = static_cast<int>(points.size());
   io.pointlist = new REAL[3 * points.size()];
@@ -48,7 +50,8 @@ void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& su
     polygon.numberofvertices = 3;
     polygon.vertexlist = new int[3];
     std::copy_n(surface.Facets[i].data(), 3, polygon.vertexlist);
-    io.facetmarkerlist[i] = i + 1; // 0 marks faces of the hull
+    // TetGen merges coplanar facets of the same marker. 0 marks faces of the hull.
+    io.facetmarkerlist[i] = 1 + (classes.empty() ? i : classes[i]);
   }
 }
 
@@ -152,18 +155,17 @@ std::size_t FindConstraints(Tetrahedralization& result)
 
 /** Returns how TetGen ended. */
 Ending CallTetGen(const std::vector<Point>& points, const ResolvedMesh& surface,
-  SurfacePoints surfacePoints, tetgenio& out)
+  const std::vector<int>& classes, tetgenio& out)
 {
   tetgenio in;
-  Fill(in, points, surface);
+  Fill(in, points, surface, classes);
   // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
   // optimization, which takes ten times as long as the rest; T: the default tolerance merges close
-  // vertices; n: output neighbors; J: keep the numbering of points; Q: quiet; M: do not merge
-  // facets that are nearly coplanar.
-  char whole[] = "pcYO0/0T1e-14nJQ", split[] = "pcMO0/0T1e-14nJQ";
+  // vertices; n: output neighbors; J: keep the numbering of points; Q: quiet.
+  char whole[] = "pcYO0/0T1e-14nJQ", split[] = "pcO0/0T1e-14nJQ";
   try
   {
-    tetrahedralize(surfacePoints == SurfacePoints::None ? whole : split, &in, &out);
+    tetrahedralize(classes.empty() ? whole : split, &in, &out);
   }
   catch (int code)
   {
@@ -194,7 +196,7 @@ void AppendNewPoints(const tetgenio& out, ResolvedMesh& surface)
   }
 }
 
-/** The faces that triangles of M have been split into. */
+/** The faces that cover the facets of each class. */
 std::vector<FacetPart> GetParts(const tetgenio& out)
 {
   std::vector<FacetPart> parts;
@@ -231,7 +233,9 @@ Ending Tetrahedralize(
   std::vector<Point> points = surface.Points;
   points.insert(points.end(), further.begin(), further.end());
   tetgenio out;
-  const Ending ending = CallTetGen(points, surface, surfacePoints, out);
+  const std::vector<int> classes =
+    surfacePoints == SurfacePoints::Allowed ? FindFacetClasses(surface) : std::vector<int>();
+  const Ending ending = CallTetGen(points, surface, classes, out);
   if (!ending.Mistake.empty())
   {
     return ending;
@@ -239,7 +243,7 @@ Ending Tetrahedralize(
   AppendNewPoints(out, surface);
   if (surfacePoints == SurfacePoints::Allowed)
   {
-    const std::string error = ReplaceByParts(GetParts(out), surface);
+    const std::string error = ReplaceByParts(GetParts(out), classes, surface);
     if (!error.empty())
     {
       return { "TetGen lost a triangle of the mesh: " + error };

@@ -18,7 +18,7 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
 enum class SurfacePoints
 {
   None,   ///< every triangle of the mesh is a face
-  Allowed ///< every triangle is a union of faces, which replace it in the surface
+  Allowed ///< every class of triangles (FindFacetClasses) is a union of faces, which replace it
 };
 
 /**

@@ -98,10 +98,10 @@ TEST(Strategies, EndAtTheFirstSuccess)
 TEST(Strategies, SplitTrianglesIfNecessary)
 {
   const Reply reply = GetReply(MakeJob(NeedsSplitting(), Conformity::Exact));
-  EXPECT_EQ(reply.Strategy.find("TetGen -pcM"), 0u) << reply.Strategy;
+  EXPECT_EQ(reply.Strategy.find("TetGen -pc"), 0u) << reply.Strategy;
   EXPECT_EQ(reply.Limits, ""); // a higher limit would not have helped
-  // The last of the six orders that the documentation of Conformity states, counted from 0.
-  EXPECT_NE(reply.Attempts.find("order 5"), std::string::npos);
+  // The second of the two orders that the documentation of Conformity states, counted from 0.
+  EXPECT_NE(reply.Attempts.find("TetGen -pcY, order 1: "), std::string::npos);
   const Tetrahedralization& result = reply.Result;
   EXPECT_TRUE(result.Kept.empty());
   const std::vector<int> uses = checks::CountFaces(result);
@@ -129,7 +129,7 @@ TEST(Strategies, EndInEnclosingWhereTetGenFails)
 {
   const HelperRun exact = RunHelper(MakeJob(NeedsEnclosing(), Conformity::Exact, Patience));
   EXPECT_FALSE(exact.Succeeded());
-  EXPECT_NE(exact.Reply.Error.find("TetGen -pcM"), std::string::npos) << exact.Reply.Error;
+  EXPECT_NE(exact.Reply.Error.find("TetGen -pc"), std::string::npos) << exact.Reply.Error;
   const Reply any = GetReply(MakeJob(NeedsEnclosing(), Conformity::Auto));
   EXPECT_EQ(any.Strategy, "Delaunay, enclosing");
   EXPECT_NE(any.Attempts, "");
@@ -141,7 +141,7 @@ TEST(Strategies, DoNotCountTheTimeOfOthers)
   const std::string written = TryOnSphere(0.0,
     [](const Reply& reply)
     {
-      sleep(6); // longer than the 5 s for an attempt at so small a mesh
+      sleep(4); // longer than the 3 s for an attempt at so small a mesh
       return reply.Strategy;
     });
   EXPECT_EQ(written, "TetGen -pcY\n");
@@ -159,7 +159,7 @@ TEST(Strategies, EndAttemptsThatComputeTooLong)
       }
       return reply.Strategy + ", " + reply.Limits;
     });
-  EXPECT_EQ(written, "TetGen -pcY, order 1, TetGen took longer than 5.008 s of processor time\n\n");
+  EXPECT_EQ(written, "TetGen -pcY, order 1, TetGen took longer than 3.008 s of processor time\n\n");
 }
 
 // TimeLimit is by the clock, and the reply names it once, however many attempts it ends.

@@ -3,6 +3,7 @@
  * @file
  * carving-model: writes the models of the paper's figures to files.
  */
+#include "Blocks.h"
 #include "Contours.h"
 #include "Figures.h"
 #include "ModelFile.h"
@@ -33,6 +34,7 @@ Writer WriterOf(Make make)
 }
 
 const std::map<std::string, Writer> Writers = {
+  { "blocks", WriterOf([] { return models::Blocks(128); }) },
   { "carved-figure", WriterOf(models::CarvedFigure) },
   { "eight-spheres", WriterOf(models::EightSpheres) },
   { "ribs", WriterOf(models::Ribs) },

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/PiercedMesh.h"
 
+#include "Helper/Base/IndexedBox.h"
+
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 
 namespace carving::helper
@@ -12,6 +16,17 @@ Corners4 CornersOfCell(const PiercedMesh::Cell& cell)
 {
   return { cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
     cell->vertex(3)->point() };
+}
+
+template <std::size_t N>
+CGAL::Bbox_3 BoundsOf(const std::array<Inexact::Point_3, N>& corners)
+{
+  CGAL::Bbox_3 bounds;
+  for (const Inexact::Point_3& p : corners)
+  {
+    bounds += p.bbox();
+  }
+  return bounds;
 }
 
 } // namespace
@@ -124,6 +139,7 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
   {
     const Cell cell = stack.back();
     stack.pop_back();
+    ++this->Effort;
     if (!visit(cell))
     {
       continue;
@@ -238,6 +254,21 @@ bool PiercedMesh::Put(const Point& p, const Cell& near, bool outsideToo,
   return true;
 }
 
+std::vector<int> PiercedMesh::PartsAt(const std::vector<Cell>& cells)
+{
+  std::vector<int> parts;
+  for (const Cell& cell : cells)
+  {
+    for (const PartContact& contact : cell->info().All)
+    {
+      parts.push_back(contact.Part);
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  return parts;
+}
+
 /**
  * Inserts a point into the tetrahedralization. Parts that met removed tetrahedra may meet the new
  * ones.
@@ -249,28 +280,46 @@ void PiercedMesh::Insert(int vertex, const Cell& start)
   Delaunay::Facet facet;
   this->Mesh.find_conflicts(
     p, start, CGAL::Oneset_iterator<Delaunay::Facet>(facet), std::back_inserter(cells));
-  std::vector<int> parts;
-  for (const Cell& cell : cells)
-  {
-    for (const PartContact& contact : cell->info().All)
-    {
-      parts.push_back(contact.Part);
-    }
-  }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  const std::vector<int> parts = PartsAt(cells);
   const Vertex v =
     this->Mesh.insert_in_hole(p, cells.begin(), cells.end(), facet.first, facet.second);
   v->info().Index = vertex;
   this->Vertices.push_back(v);
   std::vector<Cell> star;
   this->Mesh.finite_incident_cells(v, std::back_inserter(star));
-  for (const int part : parts)
+  this->MeetAll(parts, star);
+}
+
+/**
+ * Records the contacts of parts with cells. Where points in a plane are off it by a rounding, both
+ * are numerous and few of them meet.
+ */
+void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells)
+{
+  // CGAL takes boxes of the same index for the same box, even from different sequences.
+  const int firstCell = static_cast<int>(parts.size());
+  std::vector<IndexedBox> partBoxes, cellBoxes;
+  for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    const Piercer piercer(this->CornersOf(part));
-    for (const Cell& cell : star)
+    partBoxes.emplace_back(BoundsOf(this->CornersOf(parts[i])), static_cast<int>(i));
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    cellBoxes.emplace_back(BoundsOf(CornersOfCell(cells[i])), firstCell + static_cast<int>(i));
+  }
+  std::vector<std::pair<int, int>> pairs;
+  CGAL::box_intersection_d(partBoxes.begin(), partBoxes.end(), cellBoxes.begin(), cellBoxes.end(),
+    [&](const IndexedBox& part, const IndexedBox& cell)
+    { pairs.emplace_back(part.Index, cell.Index - firstCell); });
+  std::sort(pairs.begin(), pairs.end());
+  this->Effort += pairs.size();
+  for (auto pair = pairs.begin(); pair != pairs.end();)
+  {
+    const int part = pair->first;
+    const Piercer piercer(this->CornersOf(parts[part]));
+    for (; pair != pairs.end() && pair->first == part; ++pair)
     {
-      this->Meet(part, piercer, cell);
+      this->Meet(parts[part], piercer, cells[pair->second]);
     }
   }
 }

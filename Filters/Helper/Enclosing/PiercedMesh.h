@@ -59,6 +59,11 @@ public:
    */
   bool TakeFaces(int part);
 
+  /** The number of comparisons of parts with tetrahedra so far: the work that has been done. */
+  std::size_t GetEffort() const
+  {
+    return this->Effort;
+  }
   const Delaunay& GetDelaunay() const
   {
     return this->Mesh;
@@ -74,6 +79,7 @@ private:
     const std::function<Subdivision::Change(int)>& split);
   void Insert(int vertex, const Cell& start);
   bool Meet(int part, const Piercer& piercer, const Cell& cell);
+  void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Place(int part);
   bool PlaceOnFace(int part);
   void Forget(int part);
@@ -83,10 +89,13 @@ private:
   void PushStar(const Vertex& v, std::vector<Cell>& stack);
   void Push(const Cell& cell, std::vector<Cell>& stack);
 
+  static std::vector<int> PartsAt(const std::vector<Cell>& cells);
+
   Subdivision Parts;
   Delaunay Mesh;
   std::vector<Vertex> Vertices;
   unsigned NumberOfWalks = 0;
+  std::size_t Effort = 0;
   std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
 

@@ -259,16 +259,23 @@ void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance
 {
   Refiner refiner(mesh, distance, tolerance);
   const auto& points = mesh.GetParts().GetPoints();
-  const std::size_t most = points.size() + maximumPoints;
+  const std::size_t given = points.size(), start = mesh.GetEffort();
+  // Where many points of a plane are off it by a rounding, thousands of parts pierce a tetrahedron
+  // that covers the plane, and each point that is added there changes as many tetrahedra.
+  constexpr std::size_t Initial = 10000000, PerPoint = 2000;
+  const auto mayContinue = [&]
+  {
+    const std::size_t added = points.size() - given;
+    return added < maximumPoints && mesh.GetEffort() - start < Initial + PerPoint * added;
+  };
   bool changed = true;
-  for (double left = 1.0; changed && points.size() < most; left *= 0.8)
+  for (double left = 1.0; changed && mayContinue(); left *= 0.8)
   {
     changed = false;
     for (const auto& [a, b, c, d] : refiner.FindFar())
     {
       Cell cell;
-      if (points.size() < most && mesh.GetDelaunay().is_cell(a, b, c, d, cell) &&
-        cell->info().IsPierced())
+      if (mayContinue() && mesh.GetDelaunay().is_cell(a, b, c, d, cell) && cell->info().IsPierced())
       {
         changed = refiner.Improve(cell) || changed;
       }

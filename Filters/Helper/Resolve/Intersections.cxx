@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/Intersections.h"
 
+#include "Helper/Base/IndexedBox.h"
 #include "Helper/Base/TriangleCrossing.h"
 
 #include <CGAL/box_intersection_d.h>
@@ -22,20 +23,6 @@ Corners3 CornersOf(const std::vector<Point>& points, const Triangle& t)
 std::vector<std::pair<int, int>> FindIntersections(
   const std::vector<Point>& points, const std::vector<Triangle>& triangles)
 {
-  using Box = CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_NONE>;
-  struct IndexedBox : Box
-  {
-    IndexedBox(const CGAL::Bbox_3& bounds, int index)
-      : Box(bounds)
-      , Index(index)
-    {
-    }
-    int id() const
-    {
-      return this->Index;
-    }
-    int Index;
-  };
   std::vector<IndexedBox> boxes;
   boxes.reserve(triangles.size());
   for (const Triangle& t : triangles)

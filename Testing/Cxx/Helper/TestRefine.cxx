@@ -3,8 +3,11 @@
  * @file
  * Enclosing mode: the distance of the last level from the mesh.
  */
+#include "Blocks.h"
 #include "Checks.h"
 #include "Core/Mesh/Vector.h"
+#include "Helper/Enclosing/Refine.h"
+#include "Helper/Resolve/Clean.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
 #include "Shapes.h"
@@ -15,6 +18,7 @@
 #include <random>
 
 using namespace carving;
+using namespace carving::helper;
 
 namespace
 {
@@ -96,4 +100,27 @@ TEST(Refine, AddsNothingToADelaunayMesh)
     Conformity::Enclosing, 0.001);
   EXPECT_EQ(reply.PointsAdded, 0);
   EXPECT_EQ(reply.KeptDistance, 0.0);
+}
+
+// The work is in proportion to the mesh and the points added, however many parts pierce a cell.
+TEST(Refine, EndsOnFlatWallsThatAreOffTheirPlane)
+{
+  const ResolvedMesh input = Clean(AsResolved(models::Blocks(12)));
+  PiercedMesh mesh(input, {}, [](double) { return true; });
+  const std::size_t points = input.Points.size(), before = mesh.GetEffort();
+  Refine(mesh, SurfaceDistance(input), 5e-3 * Diagonal(input.Points), 100 * points,
+    [](double) { return true; });
+  const std::size_t added = mesh.GetParts().GetPoints().size() - points;
+  const double most = 1e7 + 2e3 * static_cast<double>(added);
+  // The last point may pass the limit.
+  EXPECT_LT(static_cast<double>(mesh.GetEffort() - before), 1.5 * most);
+}
+
+// Finely tessellated walls that touch in parts of their sides are enclosed.
+TEST(Refine, EnclosesFlatWalls)
+{
+  const TriangleMesh mesh = models::Blocks(4);
+  const Reply reply = GetReply(mesh, Conformity::Enclosing);
+  EXPECT_EQ(reply.Error, "");
+  EXPECT_LE(SampleReach(mesh, reply.Result), 1.05 * reply.KeptDistance);
 }

@@ -7,7 +7,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace carving::helper
 {
@@ -16,6 +15,9 @@ namespace
 
 /** At most so many vertices: the inward slide of every candidate orders the queue, which is better, but slower. */
 constexpr SurfaceMesh::size_type FewVertices = 2000;
+
+/** At more vertices, surfaces are so close to M that measuring distances is not worth the time. */
+constexpr SurfaceMesh::size_type ManyVertices = 20000;
 
 /** Queries for the distance of a face within an error bound. */
 constexpr int MostQueries = 64;
@@ -32,12 +34,14 @@ bool CrossOrCover(const Corners3& a, const Corners3& b)
 
 } // namespace
 
-Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nested)
+Decimator::Decimator(
+  SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& distance, bool nested)
   : Surface(std::move(surface))
   , History(this->Surface)
   , Tree(BoxesOf(this->Surface))
   , FacesAtBuild(this->Surface.number_of_faces())
   , M(obstacle)
+  , Distance(distance)
   , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
   , CanSweepOver(!IsConnectedWithoutCopies(this->Surface))
@@ -117,6 +121,7 @@ void Decimator::DropOutdated()
 /** Pushes an edge with a lower bound of its cost: the least error anywhere. */
 void Decimator::PushBound(HalfEdge edge)
 {
+  this->Ready.erase(this->Surface.edge(edge));
   const LocalError error = this->ErrorOf(edge);
   this->Push(edge, this->Place.FindLeastError(error));
 }
@@ -153,42 +158,113 @@ bool Decimator::Run(const std::function<bool()>& goOn)
       this->VerticesAtRefill = 0;
     }
     const Candidate next = this->Pop();
-    if (!this->IsCurrent(next))
+    if (this->IsCurrent(next))
     {
-      continue;
-    }
-    const SurfaceMesh::Edge_index index(next.Edge);
-    this->IsQueued[index] = 0;
-    const HalfEdge edge = this->Surface.halfedge(index);
-    const EdgeStar star(this->Surface, edge);
-    const LocalError error = this->ErrorOf(edge);
-    const std::vector<Point> outward = this->FindOutward(edge, star, error);
-    if (outward.empty())
-    {
-      continue;
-    }
-    const double nextCost =
-      this->Queue.empty() ? std::numeric_limits<double>::infinity() : this->Queue.front().Cost;
-    std::optional<Point> slid;
-    if (!this->Nested && this->Surface.number_of_vertices() <= FewVertices)
-    {
-      slid = this->Place.SlideInward(star, error, outward.front(), nextCost);
-    }
-    const double cost = error.At(slid ? *slid : outward.front());
-    if (cost > nextCost)
-    {
-      this->Push(edge, cost);
-      continue;
-    }
-    for (std::size_t i = 0; i < outward.size(); ++i)
-    {
-      if (this->TryCollapse(edge, star, error, outward[i], i == 0 ? slid : std::nullopt))
-      {
-        break;
-      }
+      this->IsQueued[next.Edge] = 0;
+      this->Try(this->Surface.halfedge(SurfaceMesh::Edge_index(next.Edge)));
     }
   }
   return true;
+}
+
+/** Collapses an edge, or pushes it again with a greater cost. Does neither if the edge cannot collapse. */
+void Decimator::Try(HalfEdge edge)
+{
+  if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
+  {
+    return;
+  }
+  const EdgeStar star(this->Surface, edge);
+  const LocalError error = this->ErrorOf(edge);
+  const auto ready = this->Ready.find(this->Surface.edge(edge));
+  if (ready != this->Ready.end() && this->IsValid(star, ready->second) &&
+    this->IsWithinErrorBound(star, ready->second))
+  {
+    this->Collapse(edge, star, ready->second);
+    return;
+  }
+  const std::vector<Point> outward = this->FindOutward(edge, star, error);
+  if (outward.empty())
+  {
+    return;
+  }
+  const double limit =
+    this->Queue.empty() ? std::numeric_limits<double>::infinity() : this->Queue.front().Cost;
+  const bool few = this->Surface.number_of_vertices() <= FewVertices;
+  const Point& start = outward.front();
+  Point inward = start;
+  if (!this->Nested && (few || error.At(start) <= limit))
+  {
+    inward = this->Place.SlideInward(star, error, start, limit);
+  }
+  const double least = error.At(few ? inward : start);
+  if (least > limit)
+  {
+    this->Push(edge, least);
+  }
+  else if (ready != this->Ready.end() || !this->Defer(edge, star, error, inward, limit))
+  {
+    this->CollapseOrDefer(edge, star, error, outward, inward, limit);
+  }
+}
+
+/** Pushes an edge again if collapsing it into w costs more than the limit. */
+bool Decimator::Defer(
+  HalfEdge edge, const EdgeStar& star, const LocalError& error, const Point& w, double limit)
+{
+  const bool measures = !this->Nested && this->Surface.number_of_vertices() <= ManyVertices;
+  const double cost = measures ? this->CostOf(star, error, w) : error.At(w);
+  if (cost <= limit)
+  {
+    return false;
+  }
+  this->Push(edge, cost);
+  this->Ready[this->Surface.edge(edge)] = w;
+  return true;
+}
+
+/** Takes the first valid position on the ways inward from outward ones. `inward` is the end of the first way. */
+void Decimator::CollapseOrDefer(HalfEdge edge, const EdgeStar& star, const LocalError& error,
+  const std::vector<Point>& outward, const Point& inward, double limit)
+{
+  for (const Point& start : outward)
+  {
+    const Point end = this->Nested ? start
+      : start == outward.front()   ? inward
+                                   : this->Place.SlideInward(star, error, start);
+    for (const double share : { 1.0, 0.98, 0.7, 0.0 })
+    {
+      const Point w = Between(start, end, share);
+      if ((share > 0.0 && start == end) || !this->IsValid(star, w))
+      {
+        continue;
+      }
+      if (!this->IsWithinErrorBound(star, w))
+      {
+        break;
+      }
+      if (w == inward || !this->Defer(edge, star, error, w, limit))
+      {
+        this->Collapse(edge, star, w);
+      }
+      return;
+    }
+  }
+}
+
+/**
+ * The quadric error, or the squared distance of the new faces from M times their area if that is greater. Quadrics know
+ * planes only: where parts of M end, or a gap is bridged, a vertex on all planes can be far from M.
+ */
+double Decimator::CostOf(const EdgeStar& star, const LocalError& error, const Point& w) const
+{
+  double farthest = this->Distance.OfPoint(w), twiceArea = 0.0;
+  for (const auto& [a, b] : star.Link)
+  {
+    farthest = std::max(farthest, this->Distance.OfPoint((a + b + w) / 3.0));
+    twiceArea += Length(Cross(b - a, w - a));
+  }
+  return std::max(error.At(w), twiceArea * farthest * farthest);
 }
 
 /**
@@ -213,42 +289,6 @@ std::vector<Point> Decimator::FindOutward(
   std::stable_sort(positions.begin(), positions.end(),
     [&](const Point& a, const Point& b) { return error.At(a) < error.At(b); });
   return positions;
-}
-
-/**
- * Collapses the edge into an outward position, or on the way inward from there, if that is valid. `slid` is the end of
- * the way if that is known.
- */
-bool Decimator::TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w,
-  const std::optional<Point>& slid)
-{
-  if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
-  {
-    return false;
-  }
-  const bool isTight =
-    !this->Nested && this->Tighten(star, slid ? *slid : this->Place.SlideInward(star, error, w), w);
-  if ((!isTight && !this->IsFree(star, w)) || !this->IsWithinErrorBound(star, w))
-  {
-    return false;
-  }
-  this->Collapse(edge, star, w);
-  return true;
-}
-
-/** Moves w towards another position, as far as that is valid. Returns false if no such position is valid. */
-bool Decimator::Tighten(const EdgeStar& star, const Point& inward, Point& w) const
-{
-  for (const double share : { 1.0, 0.98, 0.7 })
-  {
-    const Point x = Between(w, inward, share);
-    if (this->IsValid(star, x))
-    {
-      w = x;
-      return true;
-    }
-  }
-  return false;
 }
 
 /** Whether M stays enclosed, and the surface does not cross itself. Exact. */
@@ -344,11 +384,11 @@ bool Decimator::Crosses(const EdgeStar& star, const Point& w) const
 
 bool Decimator::IsWithinErrorBound(const EdgeStar& star, const Point& w) const
 {
-  return !this->Distance ||
+  return this->ErrorBound == std::numeric_limits<double>::infinity() ||
     std::all_of(star.Link.begin(), star.Link.end(),
       [&](const std::array<Point, 2>& edge)
       {
-        return this->Distance->Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound)
+        return this->Distance.Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound)
                  .Upper <= this->ErrorBound;
       });
 }

@@ -15,7 +15,9 @@
 #include "Helper/Decimation/SurfaceMesh.h"
 
 #include <functional>
+#include <limits>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace carving::helper
@@ -31,13 +33,13 @@ namespace carving::helper
 class Decimator
 {
 public:
-  /** `obstacle` is M, which `surface` encloses and which must outlive this object. */
-  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, bool nested);
+  /** `obstacle` is M, which `surface` encloses. This and `distance`, from M, must outlive this object. */
+  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& distance,
+    bool nested);
 
-  /** No face that a collapse makes may be farther from M. `distance`, from M, must outlive this object. */
-  void SetErrorBound(const FaceDistance<3>& distance, double bound)
+  /** No face that a collapse makes may be farther from M. Bounds may only rise. */
+  void SetErrorBound(double bound)
   {
-    this->Distance = &distance;
     this->ErrorBound = bound;
     this->VerticesAtRefill = 0; // edges may collapse now that could not before
   }
@@ -82,10 +84,13 @@ private:
   bool IsFree(const EdgeStar& star, const Point& w) const;
   bool Crosses(const EdgeStar& star, const Point& w) const;
   bool SweepsOver(const EdgeStar& star, const Point& w) const;
-  bool Tighten(const EdgeStar& star, const Point& inward, Point& w) const;
   std::vector<Point> FindOutward(HalfEdge edge, const EdgeStar& star, const LocalError& error);
-  bool TryCollapse(HalfEdge edge, const EdgeStar& star, const LocalError& error, Point w,
-    const std::optional<Point>& slid);
+  void Try(HalfEdge edge);
+  double CostOf(const EdgeStar& star, const LocalError& error, const Point& w) const;
+  bool Defer(
+    HalfEdge edge, const EdgeStar& star, const LocalError& error, const Point& w, double limit);
+  void CollapseOrDefer(HalfEdge edge, const EdgeStar& star, const LocalError& error,
+    const std::vector<Point>& outward, const Point& inward, double limit);
   void Collapse(HalfEdge edge, const EdgeStar& star, const Point& w);
   void PushAround(Vertex vertex);
 
@@ -94,16 +99,18 @@ private:
   BoxTree Tree; ///< of the surface's faces
   SurfaceMesh::size_type FacesAtBuild;
   Obstacle M;
+  const FaceDistance<3>& Distance; ///< from M
   Placement Place;
   bool Nested;
-  bool CanSweepOver;                         ///< over a part of itself, without crossing it
-  const FaceDistance<3>* Distance = nullptr; ///< null without an error bound
-  double ErrorBound = 0.0;
+  bool CanSweepOver; ///< over a part of itself, without crossing it
+  double ErrorBound = std::numeric_limits<double>::infinity();
   Point Origin;                     ///< of the quadrics
   std::vector<Quadric> Quadrics;    ///< per vertex: the planes of the faces that it stands for
   std::vector<Candidate> Queue;     ///< a heap
   std::vector<unsigned int> Stamps; ///< per edge: of its last candidate
-  std::vector<char> IsQueued;       ///< per edge: whether this candidate is in the queue
+  /** Per edge in the queue with its final cost: where it collapses if that is valid then. */
+  std::unordered_map<SurfaceMesh::size_type, Point> Ready;
+  std::vector<char> IsQueued; ///< per edge: whether this candidate is in the queue
   SurfaceMesh::size_type VerticesAtRefill = 0;
   bool UsesEnds = false; ///< whether edges also collapse into their ends
 };

@@ -109,7 +109,7 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     return "The surface has no triangle with an area.";
   }
   const FaceDistance<3> distance(inside);
-  Decimator decimator(AsSurfaceMesh(original), inside, options.Nested);
+  Decimator decimator(AsSurfaceMesh(original), inside, distance, options.Nested);
   const bool byError = options.Type == DecimationTarget::ErrorBound;
   const double all = std::log(static_cast<double>(original.Points.size()));
   for (const double target : options.Targets)
@@ -117,7 +117,7 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     if (byError)
     {
       // The measured error may be 1 % too large; it has to be within the bound, too.
-      decimator.SetErrorBound(distance, target / 1.01);
+      decimator.SetErrorBound(target / 1.01);
     }
     bool stopped = false;
     long long calls = 0;

@@ -5,8 +5,8 @@
  *
  * The input is a closed, consistently oriented surface that does not cross itself. Each output has
  * fewer vertices, encloses the input (no point of the input lies outside), does not cross itself,
- * and has the same components and tunnels. Edges collapse in the order of a quadric error. Each
- * new vertex lies on the outer side of all faces around its edge ("progressive hull", Sander et al.,
+ * and has the same components and tunnels. Edges collapse in the order of a quadric error. Each new
+ * vertex lies on the outer side of all faces around its edge ("progressive hull", Sander et al.,
  * "Silhouette clipping", 2000), and then slides inward until its faces touch the input. This filter
  * is not part of the paper on carving. The work is done by the helper program.
  *
@@ -29,8 +29,8 @@
  * that was reached, and a warning. Tunnels need vertices, and so do thin gaps.
  *
  * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: an input that is
- * open, not an oriented manifold or crosses itself, with the first place; the failures of the helper
- * program that vtkTopologyCarver documents.
+ * open, not an oriented manifold or crosses itself, with the first place; the failures of the
+ * helper program that vtkTopologyCarver documents.
  */
 #ifndef vtkEnclosingDecimation_h
 #define vtkEnclosingDecimation_h

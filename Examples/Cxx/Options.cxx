@@ -326,7 +326,9 @@ std::string TakeOptions(int argc, char* argv[], Options& options)
   return {};
 }
 
-/** Returns an empty string, or a description of options that --decimate excludes or that need it. */
+/**
+ * Returns an empty string, or a description of options that --decimate excludes or that need it.
+ */
 std::string CheckDecimation(const Options& options)
 {
   if (!options.Decimate)

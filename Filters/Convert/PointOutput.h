@@ -51,8 +51,8 @@ void AddIdArrays(
 }
 
 /**
- * Sets the points of `output` and their data: those of the source for points of the input, and data interpolated at the
- * closest point of the input for all others.
+ * Sets the points of `output` and their data: those of the source for points of the input, and data
+ * interpolated at the closest point of the input for all others.
  */
 template <int D>
 void FillPoints(const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkPointSet* output);

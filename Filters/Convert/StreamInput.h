@@ -15,8 +15,8 @@
 class vtkUnstructuredGrid;
 
 /**
- * Reads all that levels need. `simplified` stays empty unless the grid has simplified levels, and so
- * do members of `Mesh.Surface` that only resolving uses. Returns an empty string, or the first
+ * Reads all that levels need. `simplified` stays empty unless the grid has simplified levels, and
+ * so do members of `Mesh.Surface` that only resolving uses. Returns an empty string, or the first
  * reason why the grid is not an unchanged stream.
  */
 template <int D>

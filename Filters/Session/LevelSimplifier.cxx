@@ -233,6 +233,14 @@ void LevelSimplifier::Choose(const TargetList& targets)
     }
   }
   std::reverse(simplified.Levels.begin(), simplified.Levels.end());
+  // For numbers beyond the targets.
+  const auto last = std::find_if(this->Trials.begin(), this->Trials.end(),
+    [&](const LevelTrial& trial)
+    { return trial.Step == targets.back().LastStep && !trial.Result.Surfaces.empty(); });
+  if (last != this->Trials.end() && added.find(&*last) == added.end())
+  {
+    this->AddStep(*last);
+  }
 }
 
 bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::string>& problems)

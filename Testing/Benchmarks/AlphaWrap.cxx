@@ -5,7 +5,8 @@
  *
  * usage: alpha-wrap MESH.off WRAP.off VERTICES
  *
- * Searches for the alpha whose wrap has just at most so many vertices, and prints the seconds of that wrap alone.
+ * Searches for the alpha whose wrap has just at most so many vertices, and prints the seconds of
+ * that wrap alone.
  */
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -52,6 +52,39 @@ double TargetOf(const SimplifiedStream& stream, const SimplifiedLevel& level, Le
     : CountAfter(stream.Steps[level.Chain].Chain, type, level.Collapses);
 }
 
+/**
+ * The level of a later step, if the step of the given one has fewer than the number by itself: of
+ * the first one that has not, or, where that cannot be brought down to the number, of one between.
+ */
+SimplifiedLevel UseNumber(
+  const SimplifiedStream& stream, const SimplifiedLevel& given, const SimplifiedTarget& target)
+{
+  std::vector<int> later;
+  const int first = stream.Steps[given.Chain].Step;
+  for (int i = 0; i < static_cast<int>(stream.Steps.size()); ++i)
+  {
+    if (stream.Steps[i].Step > first && stream.Steps[i].Step <= target.LastStep)
+    {
+      later.push_back(i);
+    }
+  }
+  std::sort(later.begin(), later.end(),
+    [&](int a, int b) { return stream.Steps[a].Step < stream.Steps[b].Step; });
+  SimplifiedLevel best = given;
+  double count = CountAfter(stream.Steps[given.Chain].Chain, target.Type, 0);
+  for (auto i = later.begin(); i != later.end() && count < target.Value; ++i)
+  {
+    const CollapseChain& chain = stream.Steps[*i].Chain;
+    const int collapses = CollapsesFor(chain, target.Type, target.Value);
+    count = CountAfter(chain, target.Type, 0);
+    if (collapses <= chain.Collapses)
+    {
+      best = { *i, collapses };
+    }
+  }
+  return best;
+}
+
 /** The level from the candidates, coarse to fine, for a number of vertices or triangles. */
 SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
   const std::vector<SimplifiedLevel>& candidates, const SimplifiedTarget& target)
@@ -59,14 +92,16 @@ SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
   auto next = std::find_if(candidates.begin(), candidates.end(),
     [&](const SimplifiedLevel& level)
     { return TargetOf(stream, level, target.Type) >= target.Value; });
-  next = next == candidates.end() ? next - 1 : next;
+  const bool beyondTargets = next == candidates.end();
+  next = beyondTargets ? next - 1 : next;
   for (auto level = next + 1; level-- != candidates.begin();)
   {
     const CollapseChain& chain = stream.Steps[level->Chain].Chain;
     const int collapses = CollapsesFor(chain, target.Type, target.Value);
     if (collapses <= chain.Collapses)
     {
-      return { level->Chain, collapses };
+      const SimplifiedLevel selected = { level->Chain, collapses };
+      return beyondTargets ? UseNumber(stream, selected, target) : selected;
     }
   }
   return *next;

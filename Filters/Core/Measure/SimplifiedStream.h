@@ -79,8 +79,9 @@ struct SelectedLevel
 /**
  * The simplified level for a target, which need not be one of the targets that levels were made
  * for. A number is given by the decimated step that was best for the next larger target, if that
- * can be brought down to the number. A lower number is thus never given by a later step. An error
- * bound is given by the coarsest level that was made within the bound.
+ * can be brought down to the number. A number beyond all targets may be given by a later step. A
+ * lower number is thus never given by a later step than a higher one. An error bound is given by
+ * the coarsest level that was made within the bound.
  */
 SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const SimplifiedTarget& target);
 

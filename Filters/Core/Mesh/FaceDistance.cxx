@@ -100,9 +100,10 @@ std::vector<FacetCorners<2>> Split(const FacetCorners<2>& piece, const FacetCorn
 }
 
 /**
- * Divides a piece into the part above a facet, where only the distance from this facet matters, and the remainder. Halving
- * alone would need tiny pieces along the borders of facets if the piece is very close to several facets in one plane.
- * Halves the piece where it is not close, and where a part would be small or the piece is a sliver.
+ * Divides a piece into the part above a facet, where only the distance from this facet matters, and
+ * the remainder. Halving alone would need tiny pieces along the borders of facets if the piece is
+ * very close to several facets in one plane. Halves the piece where it is not close, and where a
+ * part would be small or the piece is a sliver.
  */
 std::vector<FacetCorners<3>> Split(const FacetCorners<3>& piece, const FacetCorners<3>& facet)
 {

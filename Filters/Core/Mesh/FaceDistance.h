@@ -11,7 +11,10 @@
 namespace carving
 {
 
-/** The radius of the smallest ball around a face. No point of the face is farther from the nearest corner. */
+/**
+ * The radius of the smallest ball around a face. No point of the face is farther from the nearest
+ * corner.
+ */
 template <int D>
 double BallRadius(const FacetCorners<D>& face);
 
@@ -35,8 +38,9 @@ public:
   };
 
   /**
-   * An upper bound, refined with at most this many queries for closest facets: the distance from one facet is
-   * convex, so that its maximum over a piece of the face is at a corner. Stops early below `enough`.
+   * An upper bound, refined with at most this many queries for closest facets: the distance from
+   * one facet is convex, so that its maximum over a piece of the face is at a corner. Stops early
+   * below `enough`.
    */
   Bound Compute(const FacetCorners<D>& face, int queries, double enough = 0.0) const;
 

@@ -12,8 +12,8 @@ namespace carving::helper
 {
 
 /**
- * Whether two triangles with area have more in common than corners at the same positions, edges between these, or,
- * with opposite orientation, all corners.
+ * Whether two triangles with area have more in common than corners at the same positions, edges
+ * between these, or, with opposite orientation, all corners.
  */
 bool TrianglesCross(Corners3 a, Corners3 b);
 

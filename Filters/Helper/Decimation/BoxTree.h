@@ -9,6 +9,7 @@
 #include "Core/Mesh/Mesh.h"
 
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace carving::helper
@@ -31,7 +32,9 @@ struct Box
   }
 };
 
-/** A bounding volume hierarchy whose boxes can be replaced one by one. Empty boxes are never found. */
+/**
+ * A bounding volume hierarchy whose boxes can be replaced one by one. Empty boxes are never found.
+ */
 class BoxTree
 {
 public:
@@ -47,9 +50,38 @@ public:
     this->ForEach([&box](const Box& other) { return other.Overlaps(box); }, visit);
   }
 
-  /** Calls `visit` with the index of each box that `meets` accepts, as it must all boxes around an accepted one. */
+  /**
+   * Calls `visit` with the index of each box that `meets` accepts, as it must all boxes around an
+   * accepted one.
+   */
   template <class Predicate, class Visitor>
   void ForEach(Predicate&& meets, Visitor&& visit) const
+  {
+    this->Walk(
+      meets, [](const Box&, const Box&) { return false; }, visit);
+  }
+
+  /** The same, with boxes that reach farther up in a direction mostly first. */
+  template <class Predicate, class Visitor>
+  void ForEachFromTop(const Point& up, Predicate&& meets, Visitor&& visit) const
+  {
+    const auto top = [&up](const Box& box)
+    {
+      double sum = 0.0;
+      for (int k = 0; k < 3; ++k)
+      {
+        sum += up[k] * (up[k] > 0.0 ? box.Upper[k] : box.Lower[k]);
+      }
+      return sum;
+    };
+    this->Walk(
+      meets, [&top](const Box& a, const Box& b) { return top(a) < top(b); }, visit);
+  }
+
+private:
+  /** `isLater` says of two children whether the first one comes later. */
+  template <class Predicate, class Order, class Visitor>
+  void Walk(Predicate&& meets, Order&& isLater, Visitor&& visit) const
   {
     int open[64];
     int count = 0;
@@ -66,8 +98,13 @@ public:
       }
       if (node.Second > 0)
       {
-        open[count++] = node.Second;
-        open[count++] = static_cast<int>(&node - this->Nodes.data()) + 1;
+        int next = static_cast<int>(&node - this->Nodes.data()) + 1, last = node.Second;
+        if (isLater(this->Nodes[next].Bounds, this->Nodes[last].Bounds))
+        {
+          std::swap(next, last);
+        }
+        open[count++] = last;
+        open[count++] = next;
         continue;
       }
       for (int i = node.First; i < node.Last; ++i)
@@ -80,7 +117,6 @@ public:
     }
   }
 
-private:
   struct Node
   {
     Box Bounds;

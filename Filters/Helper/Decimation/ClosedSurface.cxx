@@ -100,7 +100,9 @@ std::string PairEdges(const ResolvedMesh& surface, std::vector<int>& partners)
       crowded.Describe(surface, "have more than two triangles, or two of opposite orientation");
 }
 
-/** Replaces vertices of several fans by copies, and drops unused points. Keeps the order of points. */
+/**
+ * Replaces vertices of several fans by copies, and drops unused points. Keeps the order of points.
+ */
 void SplitFans(const std::vector<int>& partners, ResolvedMesh& surface)
 {
   const int numberOfCorners = static_cast<int>(partners.size());

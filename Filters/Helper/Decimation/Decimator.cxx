@@ -13,7 +13,10 @@ namespace carving::helper
 namespace
 {
 
-/** At most so many vertices: the inward slide of every candidate orders the queue, which is better, but slower. */
+/**
+ * At most so many vertices: the inward slide of every candidate orders the queue, which is better,
+ * but slower.
+ */
 constexpr SurfaceMesh::size_type FewVertices = 2000;
 
 /** At more vertices, surfaces are so close to M that measuring distances is not worth the time. */
@@ -126,7 +129,10 @@ void Decimator::PushBound(HalfEdge edge)
   this->Push(edge, this->Place.FindLeastError(error));
 }
 
-/** Pushes all edges that are not in the queue. Returns false if none has collapsed since the last time. */
+/**
+ * Pushes all edges that are not in the queue. Returns false if none has collapsed since the last
+ * time.
+ */
 bool Decimator::Refill()
 {
   if (this->VerticesAtRefill == this->Surface.number_of_vertices())
@@ -167,7 +173,10 @@ bool Decimator::Run(const std::function<bool()>& goOn)
   return true;
 }
 
-/** Collapses an edge, or pushes it again with a greater cost. Does neither if the edge cannot collapse. */
+/**
+ * Collapses an edge, or pushes it again with a greater cost. Does neither if the edge cannot
+ * collapse.
+ */
 void Decimator::Try(HalfEdge edge)
 {
   if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
@@ -223,7 +232,10 @@ bool Decimator::Defer(
   return true;
 }
 
-/** Takes the first valid position on the ways inward from outward ones. `inward` is the end of the first way. */
+/**
+ * Takes the first valid position on the ways inward from outward ones. `inward` is the end of the
+ * first way.
+ */
 void Decimator::CollapseOrDefer(HalfEdge edge, const EdgeStar& star, const LocalError& error,
   const std::vector<Point>& outward, const Point& inward, double limit)
 {
@@ -253,8 +265,9 @@ void Decimator::CollapseOrDefer(HalfEdge edge, const EdgeStar& star, const Local
 }
 
 /**
- * The quadric error, or the squared distance of the new faces from M times their area if that is greater. Quadrics know
- * planes only: where parts of M end, or a gap is bridged, a vertex on all planes can be far from M.
+ * The quadric error, or the squared distance of the new faces from M times their area if that is
+ * greater. Quadrics know planes only: where parts of M end, or a gap is bridged, a vertex on all
+ * planes can be far from M.
  */
 double Decimator::CostOf(const EdgeStar& star, const LocalError& error, const Point& w) const
 {
@@ -268,8 +281,8 @@ double Decimator::CostOf(const EdgeStar& star, const LocalError& error, const Po
 }
 
 /**
- * Outward positions, best first. Ends of edges are tried only once nothing else helps: the other positions fit better, but
- * may turn faces over in flat regions.
+ * Outward positions, best first. Ends of edges are tried only once nothing else helps: the other
+ * positions fit better, but may turn faces over in flat regions.
  */
 std::vector<Point> Decimator::FindOutward(
   HalfEdge edge, const EdgeStar& star, const LocalError& error)
@@ -307,9 +320,10 @@ bool Decimator::IsValid(const EdgeStar& star, const Point& w) const
 }
 
 /**
- * Whether the surface may become one with its faces around w: it does not cross itself, and does not sweep over a part of
- * itself, which would then be on the wrong side without crossing anything: a component or void, or a part that is joined
- * in a copy of a point. A connected surface without copies has no such part.
+ * Whether the surface may become one with its faces around w: it does not cross itself, and does
+ * not sweep over a part of itself, which would then be on the wrong side without crossing anything:
+ * a component or void, or a part that is joined in a copy of a point. A connected surface without
+ * copies has no such part.
  */
 bool Decimator::IsFree(const EdgeStar& star, const Point& w) const
 {
@@ -344,8 +358,8 @@ bool Decimator::SweepsOver(const EdgeStar& star, const Point& w) const
 }
 
 /**
- * Whether the new faces around w have no area, or cross or cover each other or the remaining faces. Exact. Faces cover
- * each other if they have the same corners, in any order.
+ * Whether the new faces around w have no area, or cross or cover each other or the remaining faces.
+ * Exact. Faces cover each other if they have the same corners, in any order.
  */
 bool Decimator::Crosses(const EdgeStar& star, const Point& w) const
 {

@@ -26,14 +26,18 @@ namespace carving::helper
 /**
  * Collapses edges of a closed surface around a mesh M, in the order of a quadric error.
  *
- * The new vertex lies on the outer side of all faces around its edge, so that the surface after the collapse encloses
- * the surface before ("progressive hull", Sander et al., "Silhouette clipping", 2000). Then, unless surfaces have to be
- * nested, it slides inward until its faces touch M. No collapse changes topology or makes the surface cross itself.
+ * The new vertex lies on the outer side of all faces around its edge, so that the surface after the
+ * collapse encloses the surface before ("progressive hull", Sander et al., "Silhouette clipping",
+ * 2000). Then, unless surfaces have to be nested, it slides inward until its faces touch M. No
+ * collapse changes topology or makes the surface cross itself.
  */
 class Decimator
 {
 public:
-  /** `obstacle` is M, which `surface` encloses. This and `distance`, from M, must outlive this object. */
+  /**
+   * `obstacle` is M, which `surface` encloses. This and `distance`, from M, must outlive this
+   * object.
+   */
   Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& distance,
     bool nested);
 

@@ -32,6 +32,12 @@ public:
 
   bool MayMeet(const Box& box) const;
 
+  /** Of the face at the start of the motion; not normalized. */
+  const Point& GetStartNormal() const
+  {
+    return this->Slabs[0].Normal;
+  }
+
 private:
   /** The space between two parallel planes. */
   struct Slab
@@ -47,9 +53,10 @@ private:
 };
 
 /**
- * Searches for the first contact while w moves on a straight line, in floating point. The mesh lies behind the
- * fan at first. Only w moves, so that each kind of contact (w and a triangle, a face of the fan and a vertex, an edge
- * of the fan and an edge) happens at the root of a linear function of time.
+ * Searches for the first contact while w moves on a straight line, in floating point. The mesh lies
+ * behind the fan at first. Only w moves, so that each kind of contact (w and a triangle, a face of
+ * the fan and a vertex, an edge of the fan and an edge) happens at the root of a linear function of
+ * time.
  */
 class ContactSearch
 {
@@ -60,6 +67,12 @@ public:
   std::size_t GetNumberOfFaces() const
   {
     return this->Faces.size();
+  }
+
+  /** Of the first contact so far; above 1 if there is none. */
+  double GetTime() const
+  {
+    return this->Time;
   }
 
   /** The box of the way of w. */

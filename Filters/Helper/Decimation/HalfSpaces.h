@@ -21,10 +21,11 @@ struct HalfSpace
 };
 
 /**
- * Finds the point of the half-spaces at which a positive definite quadric is least, incrementally (Seidel,
- * "Small-dimensional linear programming and convex hulls made easy", 1991): a new constraint that the best point so
- * far violates is tight, which leaves a problem of one dimension less. Linear in the number of half-spaces if
- * their order is random. Returns false if there is no such point.
+ * Finds the point of the half-spaces at which a positive definite quadric is least, incrementally
+ * (Seidel, "Small-dimensional linear programming and convex hulls made easy", 1991): a new
+ * constraint that the best point so far violates is tight, which leaves a problem of one dimension
+ * less. Linear in the number of half-spaces if their order is random. Returns false if there is no
+ * such point.
  */
 bool Minimize(const Quadric& quadric, const std::vector<HalfSpace>& halfSpaces, Point& least);
 

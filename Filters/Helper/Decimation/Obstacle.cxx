@@ -97,10 +97,12 @@ std::optional<FirstContact> Obstacle::FindContact(
     });
   for (std::size_t face = 0; face < search.GetNumberOfFaces(); ++face)
   {
-    const SweptFace swept = search.Sweep(face);
-    this->Tree.ForEach([&swept](const Box& box) { return swept.MayMeet(box); },
+    SweptFace swept = search.Sweep(face);
+    this->Tree.ForEachFromTop(
+      swept.GetStartNormal(), [&swept](const Box& box) { return swept.MayMeet(box); },
       [&](int t)
       {
+        const double time = search.GetTime();
         const auto corners = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
         for (int k = 0; k < 3; ++k)
         {
@@ -113,15 +115,20 @@ std::optional<FirstContact> Obstacle::FindContact(
             search.AddEdge(face, corners[k], corners[(k + 1) % 3]);
           }
         }
+        if (search.GetTime() < time)
+        {
+          swept = search.Sweep(face); // the rest of the motion no longer matters
+        }
       });
   }
   return search.Get();
 }
 
 /**
- * A point of M leaves the solid only if some removed tetrahedron contains the point in its interior, in its face on
- * the surface, or in a face between two removed tetrahedra. M is the closure of its triangles' interiors, so a
- * triangle that neither pierces a tetrahedron nor overlaps a face of one in an area loses no point.
+ * A point of M leaves the solid only if some removed tetrahedron contains the point in its
+ * interior, in its face on the surface, or in a face between two removed tetrahedra. M is the
+ * closure of its triangles' interiors, so a triangle that neither pierces a tetrahedron nor
+ * overlaps a face of one in an area loses no point.
  */
 bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, const Point& w) const
 {

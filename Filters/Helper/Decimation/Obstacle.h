@@ -26,8 +26,9 @@ public:
   std::optional<FirstContact> FindContact(const Fan& fan, const Point& from, const Point& to) const;
 
   /**
-   * Whether M stays enclosed by a surface when the tetrahedra between some of its faces and w, which lies behind them,
-   * leave the solid. Exact. Says no in some cases in which M only touches the tetrahedra.
+   * Whether M stays enclosed by a surface when the tetrahedra between some of its faces and w,
+   * which lies behind them, leave the solid. Exact. Says no in some cases in which M only touches
+   * the tetrahedra.
    */
   bool AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, const Point& w) const;
 
@@ -36,7 +37,10 @@ private:
 
   const ResolvedMesh& Mesh;
   BoxTree Tree;
-  /** Bit k: the search for contacts takes corner k from this triangle. So for edges, from corner k on. */
+  /**
+   * Bit k: the search for contacts takes corner k from this triangle. So for edges, from corner k
+   * on.
+   */
   std::vector<unsigned char> Vertices, Edges;
   double Margin;
 };

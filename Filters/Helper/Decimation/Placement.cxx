@@ -12,18 +12,20 @@ namespace carving::helper
 namespace
 {
 
-/** The weight of the distance from the edge's midpoint, which decides where the quadric does not. */
+/**
+ * The weight of the distance from the edge's midpoint, which decides where the quadric does not.
+ */
 constexpr double Pull = 1e-3;
 
 /**
- * The distance between M and the polytope that bounds positions, as a fraction of M's diagonal. It grows where no edge
- * can collapse: few vertices around a round mesh are far from the mesh.
+ * The distance between M and the polytope that bounds positions, as a fraction of M's diagonal. It
+ * grows where no edge can collapse: few vertices around a round mesh are far from the mesh.
  */
 constexpr double LeastSlack = 1e-3, GreatestSlack = 1.0, SlackRatio = 10.0;
 
 /**
- * Rounded positions on the planes of faces are on the wrong side of some. Planes are therefore shifted outward by
- * these fractions of M's diagonal in turn, until the exact test succeeds.
+ * Rounded positions on the planes of faces are on the wrong side of some. Planes are therefore
+ * shifted outward by these fractions of M's diagonal in turn, until the exact test succeeds.
  */
 constexpr double Shifts[] = { 0.0, 1e-14, 1e-12, 1e-10, 1e-8 };
 
@@ -132,7 +134,9 @@ double Placement::FindLeastError(const LocalError& error)
   return helper::Minimize(WithPull(error.Error), {}, x) ? error.Error.At(x) : 0.0;
 }
 
-/** The least error in the current half-spaces. Adds those of the bounds that the result would leave. */
+/**
+ * The least error in the current half-spaces. Adds those of the bounds that the result would leave.
+ */
 std::optional<Point> Placement::Minimize(const LocalError& error)
 {
   const Quadric pulled = WithPull(error.Error);

@@ -38,22 +38,26 @@ public:
   /** Positions stay near the convex hull of the points. The obstacle must outlive this object. */
   Placement(const std::vector<Point>& points, const Obstacle& obstacle);
 
-  /** Lets positions be farther from the obstacle. Returns false if they may be as far as is sensible. */
+  /**
+   * Lets positions be farther from the obstacle. Returns false if they may be as far as is
+   * sensible.
+   */
   bool Widen();
 
   /** The least error of any position. */
   static double FindLeastError(const LocalError& error);
 
   /**
-   * The position of least error on the outer side of all faces of a star, exactly. There, the surface after the
-   * collapse encloses the surface before. Nothing if there is no such position.
+   * The position of least error on the outer side of all faces of a star, exactly. There, the
+   * surface after the collapse encloses the surface before. Nothing if there is no such position.
    */
   std::optional<Point> FindOutward(const EdgeStar& star, const LocalError& error);
 
   /**
-   * The position of least error that a vertex reaches from an outward position while its faces slide along M.
-   * Decided in floating point: the caller has to check the result. Stops early if the error will exceed `limit`, at a
-   * position of less error than that at the end, but more than `limit`.
+   * The position of least error that a vertex reaches from an outward position while its faces
+   * slide along M. Decided in floating point: the caller has to check the result. Stops early if
+   * the error will exceed `limit`, at a position of less error than that at the end, but more than
+   * `limit`.
    */
   Point SlideInward(const EdgeStar& star, const LocalError& error, const Point& start,
     double limit = std::numeric_limits<double>::infinity());

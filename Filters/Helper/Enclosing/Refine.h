@@ -16,8 +16,9 @@ namespace carving::helper
 
 /**
  * Adds points until every exposed face of a pierced tetrahedron is within `tolerance` of M, or
- * until `maximumPoints` have been added, or until the work is out of proportion to them. A face is exposed if the tetrahedron behind it is not
- * pierced. Points lie on M, except for rounding, or off M where points on M are dense enough.
+ * until `maximumPoints` have been added, or until the work is out of proportion to them. A face is
+ * exposed if the tetrahedron behind it is not pierced. Points lie on M, except for rounding, or off
+ * M where points on M are dense enough.
  */
 void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress);

@@ -80,6 +80,18 @@ TEST(SimplifiedStream, GivesNumbersBetweenTargets)
   }
 }
 
+// A number above those of the step that was best is given by a later step.
+TEST(SimplifiedStream, GivesNumbersAboveTheBestStep)
+{
+  SimplifiedStream stream = MakeStream();
+  stream.Levels.resize(1); // of the hull alone
+  EXPECT_EQ(Select(stream, 45.0).Level.Chain, 1);
+  EXPECT_EQ(Select(stream, 60.0).Level.Chain, 1); // below what step 10 can be brought to
+  const SimplifiedLevel level = Select(stream, 400.0).Level;
+  EXPECT_EQ(level.Chain, 0);
+  EXPECT_EQ(CountVertices(stream, level), 400);
+}
+
 // Triangles can be asked for where vertices were, and an odd number is rounded down.
 TEST(SimplifiedStream, CountsTrianglesToo)
 {

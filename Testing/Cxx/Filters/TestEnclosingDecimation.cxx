@@ -139,7 +139,8 @@ TEST(EnclosingDecimation, CanBeAborted)
   EXPECT_TRUE(messages.Errors.empty());
 }
 
-// An input that is not a closed surface without crossings is an error, after which the filter works.
+// An input that is not a closed surface without crossings is an error, after which the filter
+// works.
 TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
 {
   carving::TriangleMesh twisted = models::Tetrahedron(), flat = models::Tetrahedron();

@@ -124,7 +124,8 @@ TEST(LevelSimplification, StaysWithinAnErrorBound)
   EXPECT_LT(LastLevel(simplified)->GetNumberOfPoints(), LastLevel(subset)->GetNumberOfPoints());
 }
 
-// Without targets, levels have the vertex counts of those of the carving, and end in the same level.
+// Without targets, levels have the vertex counts of those of the carving, and end in the same
+// level.
 TEST(LevelSimplification, SpreadsLevelsAsBefore)
 {
   vtkNew<vtkTopologyCarver> simplified, subset;
@@ -142,7 +143,8 @@ TEST(LevelSimplification, SpreadsLevelsAsBefore)
   ExpectEqualData(LastLevel(simplified), LastLevel(subset));
 }
 
-// Open steps cannot be decimated: a warning says so, and a coarser step that is closed takes their place.
+// Open steps cannot be decimated: a warning says so, and a coarser step that is closed takes their
+// place.
 TEST(LevelSimplification, PassesOverOpenSteps)
 {
   const auto sheet = models::Sheet(3);
@@ -160,7 +162,8 @@ TEST(LevelSimplification, PassesOverOpenSteps)
 }
 
 // What a stream does not store gives the closest level, and a warning says so: numbers below the
-// coarsest level, smaller errors than those of all levels, and any target without simplified levels.
+// coarsest level, smaller errors than those of all levels, and any target without simplified
+// levels.
 TEST(LevelSimplification, WarnsOfWhatIsNotStored)
 {
   vtkNew<vtkTopologyCarver> simplified, subset;
@@ -204,7 +207,8 @@ TEST(LevelSimplification, CanBeAborted)
   EXPECT_TRUE(messages.Errors.empty());
 }
 
-// New vertices have the point data of the closest point of the input, and triangles of the input keep their cells.
+// New vertices have the point data of the closest point of the input, and triangles of the input
+// keep their cells.
 TEST(LevelSimplification, PassesAttributesOn)
 {
   const vtkSmartPointer<vtkPolyData> tori = TwoTori();

@@ -82,7 +82,9 @@ Point RandomPointOn(const TriangleMesh& mesh, const Triangle& t, std::mt19937_64
   return Between(onEdge, mesh.Points[t[2]], uniform(random));
 }
 
-/** Expects that no point of a mesh is outside: all vertices, exactly, and points on all triangles. */
+/**
+ * Expects that no point of a mesh is outside: all vertices, exactly, and points on all triangles.
+ */
 void ExpectToEnclose(const TriangleMesh& outer, const TriangleMesh& inner, std::mt19937_64& random)
 {
   for (const Triangle& t : inner.Triangles)
@@ -168,7 +170,8 @@ LevelOfMesh RandomLevel(std::mt19937_64& random)
 
 } // namespace
 
-// Every result has at most as many vertices as its target, encloses the surface and does not cross itself.
+// Every result has at most as many vertices as its target, encloses the surface and does not cross
+// itself.
 TEST(Decimation, EnclosesSimpleShapes)
 {
   std::mt19937_64 random(1);
@@ -225,8 +228,8 @@ TEST(Decimation, IsTighterWithoutNesting)
   EXPECT_LT(volume(tight[0]), volume(nested[0]));
 }
 
-// Levels of carvings, which touch themselves in copies of points, can be decimated. Nested results enclose the level, all
-// others the mesh that has been carved.
+// Levels of carvings, which touch themselves in copies of points, can be decimated. Nested results
+// enclose the level, all others the mesh that has been carved.
 TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 {
   for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
@@ -325,7 +328,8 @@ TEST(Decimation, KeepsSources)
   }
 }
 
-// An inward surface and separate triangles with equal points are taken as the surface that they are.
+// An inward surface and separate triangles with equal points are taken as the surface that they
+// are.
 TEST(Decimation, AcceptsSoupsAndInwardSurfaces)
 {
   std::mt19937_64 random(6);

@@ -82,8 +82,8 @@ TEST(SplitFacets, DetectAnotherPlane)
     ReplaceByParts(PartsOfBoth(), { 0, 1 }, mesh).find("leave its plane"), std::string::npos);
 }
 
-// The facets of a class may be cut in another way: here along the other diagonal of a square, with a
-// point on one side.
+// The facets of a class may be cut in another way: here along the other diagonal of a square, with
+// a point on one side.
 TEST(SplitFacets, MayCutAClassInAnotherWay)
 {
   ResolvedMesh mesh;

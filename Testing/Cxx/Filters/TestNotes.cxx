@@ -60,12 +60,16 @@ TEST(CarverNotes, NotesThatTheResultDependsOnALimit)
   // lowers the number of crossings per triangle, so that TetGen is tried.
   std::mt19937_64 random(1);
   const auto mesh =
-    models::Joined(models::Soup(200, random), models::Moved(models::Sphere(5), { 10, 0, 0 }));
+    models::Joined(models::Soup(200, random), models::Moved(models::Sphere(4), { 10, 0, 0 }));
   vtkNew<vtkTopologyCarver> carver;
-  carver->SetTimeLimit(1.0);
+  carver->SetTimeLimit(2.0);
   carver->SetEnclosingTolerance(0.0);
   Carve(carver, ToPolyData(mesh));
   const std::string notes = GetNotes(carver);
-  EXPECT_TRUE(
-    Has(notes, "The result depends on a limit: TetGen took longer than 1 s. With a higher"));
+  // On a slow machine, the limit for all attempts together comes first.
+  const bool single =
+    Has(notes, "The result depends on a limit: TetGen took longer than 2 s. With");
+  const bool all = Has(
+    notes, "The result depends on a limit: Resolving and tetrahedralizing took longer than 13.");
+  EXPECT_TRUE(single || all);
 }

@@ -8,6 +8,7 @@
 #include "Convert/ArrayTools.h"
 #include "Convert/SimplifiedOutput.h"
 #include "Convert/StreamOutput.h"
+#include "Core/Stream/Level.h"
 #include "Decompositions.h"
 #include "GridDamage.h"
 #include "PolyData.h"

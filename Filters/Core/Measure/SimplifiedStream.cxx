@@ -21,7 +21,8 @@ int CollapsesFor(const CollapseChain& chain, LevelTarget type, double target)
 {
   const int removed = type == LevelTarget::Triangles ? 2 : 1;
   const double excess = CountAfter(chain, type, 0) - target;
-  return static_cast<int>(std::clamp(std::ceil(excess / removed), 0.0, 1e9));
+  // fmax ignores a target that is not a number.
+  return static_cast<int>(std::fmin(std::fmax(0.0, std::ceil(excess / removed)), 1e9));
 }
 
 /** The levels made for the target's last step; if there are none, all from that step or before. */

@@ -86,11 +86,6 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   const carving::StoredStream<3>& stream = this->Carved.Stream;
   const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
   const carving::ManifoldLevel<3> cut = carving::CutIntoManifold(stream, level);
-  trial.Points = cut.Points;
-  for (const carving::FaceLife<3>& face : level.Faces)
-  {
-    trial.Cells.push_back(carving::CellWithDataOf(stream, face));
-  }
   const carving::SurfaceTopology topology = carving::MeasureSurface(cut);
   trial.SurfaceComponents = topology.Components;
   trial.SurfaceGenus = topology.Genus;
@@ -101,6 +96,11 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   if (trial.Targets.empty())
   {
     return true;
+  }
+  trial.Points = cut.Points;
+  for (const carving::FaceLife<3>& face : level.Faces)
+  {
+    trial.Cells.push_back(carving::CellWithDataOf(stream, face));
   }
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;

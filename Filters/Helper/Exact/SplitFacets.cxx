@@ -163,8 +163,8 @@ void Orient(const ResolvedMesh& surface, FacetClass& facets)
 /** The edges of triangles without those that two triangles have in opposite directions. */
 std::vector<DirectedEdge> FindBoundary(const std::vector<Triangle>& triangles)
 {
-  std::map<DirectedEdge, int>
-    counts; // of edges from the lower to the higher index, less the others
+  // Per edge: how many triangles have it from the lower to the higher index, less the others.
+  std::map<DirectedEdge, int> counts;
   for (const Triangle& t : triangles)
   {
     for (int i = 0; i < 3; ++i)

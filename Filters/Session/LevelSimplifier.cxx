@@ -25,6 +25,9 @@ const carving::ResolvedMesh& GetMesh(const carving::Decomposition<3>& decomposit
   return conforming ? decomposition.Surface : decomposition.Unresolved;
 }
 
+/** A step whose distance from M is more than this share of a result's hardly ever beats it. */
+constexpr double Hope = 0.9;
+
 DecimationTarget AsDecimationTarget(LevelTarget type)
 {
   return type == LevelTarget::Triangles ? DecimationTarget::Triangles
@@ -157,9 +160,9 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
   {
     worst = std::max(worst, bestError(target));
   }
-  const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, worst) : 0.0;
+  const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, Hope * worst) : 0.0;
   trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-                        [&](double target) { return least > bestError(target); }),
+                        [&](double target) { return least > Hope * bestError(target); }),
     trial.Targets.end());
 }
 

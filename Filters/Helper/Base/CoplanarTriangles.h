@@ -8,12 +8,8 @@
 
 #include "Helper/Base/Kernels.h"
 
-#include <array>
-
 namespace carving::helper
 {
-
-using Corners3 = std::array<Inexact::Point_3, 3>;
 
 /** Whether the interiors of the triangles intersect. */
 bool Overlap(const Corners3& a, const Corners3& b);

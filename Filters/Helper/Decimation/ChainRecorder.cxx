@@ -32,7 +32,7 @@ Triangle ChainRecorder::CornersNow(const SurfaceMesh& surface, Face face) const
   return corners;
 }
 
-void ChainRecorder::Add(
+void ChainRecorder::AddCollapse(
   const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces)
 {
   const Point& w = surface.point(kept);
@@ -45,20 +45,40 @@ void ChainRecorder::Add(
     this->PointOfVertex[kept] = static_cast<int>(this->Points.size());
     this->Points.push_back(w);
   }
-  const int collapses = ++this->Chain.Collapses;
+  ++this->Chain.Collapses;
   for (const Face face : faces)
   {
-    ChainFace& now = this->Now[face];
     const bool remains = !surface.is_removed(face);
-    const Triangle corners = remains ? this->CornersNow(surface, face) : Triangle{ -1, -1, -1 };
-    if (corners != now.Corners)
-    {
-      this->Chain.Faces.push_back(now);
-      this->Chain.Faces.back().Death = collapses;
-      now.Corners = corners;
-      now.Birth = collapses;
-    }
+    this->Replace(
+      this->Now[face], remains ? this->CornersNow(surface, face) : Triangle{ -1, -1, -1 });
   }
+}
+
+void ChainRecorder::AddMove(
+  const SurfaceMesh& surface, Vertex vertex, const std::vector<Face>& faces)
+{
+  this->PointOfVertex[vertex] = static_cast<int>(this->Points.size());
+  this->Points.push_back(surface.point(vertex));
+  for (const Face face : faces)
+  {
+    this->Replace(this->Now[face], this->CornersNow(surface, face));
+  }
+}
+
+void ChainRecorder::Replace(ChainFace& face, const Triangle& corners)
+{
+  const int collapses = this->Chain.Collapses;
+  if (corners == face.Corners)
+  {
+    return;
+  }
+  if (face.Birth < collapses)
+  {
+    this->Chain.Faces.push_back(face);
+    this->Chain.Faces.back().Death = collapses;
+  }
+  face.Corners = corners;
+  face.Birth = collapses;
 }
 
 CollapseChain ChainRecorder::MakeChain(const SurfaceMesh& surface) const

@@ -14,7 +14,10 @@
 namespace carving::helper
 {
 
-/** Records the collapses of a surface's edges as a chain. */
+/**
+ * Records the collapses of a surface's edges as a chain. Moves of vertices count with the last
+ * collapse.
+ */
 class ChainRecorder
 {
 public:
@@ -24,7 +27,11 @@ public:
    * Adds a collapse that has just taken place. `kept` is the vertex that remains, `removed` the
    * other end of the edge, and `faces` are all faces around both ends.
    */
-  void Add(const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces);
+  void AddCollapse(
+    const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces);
+
+  /** Adds that a vertex has just moved. `faces` are all faces around this vertex. */
+  void AddMove(const SurfaceMesh& surface, Vertex vertex, const std::vector<Face>& faces);
 
   int GetNumberOfCollapses() const
   {
@@ -40,6 +47,7 @@ public:
   }
 
 private:
+  void Replace(ChainFace& face, const Triangle& corners);
   Triangle CornersNow(const SurfaceMesh& surface, Face face) const;
 
   CollapseChain Chain;            ///< with the faces that no longer exist

@@ -7,8 +7,9 @@
 #define carving_Decimator_h
 
 #include "Core/Mesh/FaceDistance.h"
-#include "Helper/Decimation/BoxTree.h"
 #include "Helper/Decimation/ChainRecorder.h"
+#include "Helper/Decimation/CollapseQueue.h"
+#include "Helper/Decimation/CollisionSearch.h"
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/Placement.h"
 #include "Helper/Decimation/Quadric.h"
@@ -16,8 +17,6 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace carving::helper
@@ -51,6 +50,13 @@ public:
   /** Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. */
   bool Run(const std::function<bool()>& goOn);
 
+  /**
+   * Moves vertices inward until their faces touch M: the surroundings have changed since a collapse
+   * has placed them. Does nothing if surfaces have to be nested, or have many vertices. Stops as
+   * soon as `goOn` returns false.
+   */
+  void Tighten(const std::function<bool()>& goOn);
+
   const SurfaceMesh& GetSurface() const
   {
     return this->Surface;
@@ -63,58 +69,34 @@ public:
   }
 
 private:
-  struct Candidate
-  {
-    double Cost;
-    SurfaceMesh::size_type Edge;
-    unsigned int Stamp; ///< of the edge; older candidates are out of date
-
-    bool operator<(const Candidate& other) const
-    {
-      return this->Cost != other.Cost ? this->Cost > other.Cost : this->Edge > other.Edge;
-    }
-  };
-
   void AddPlanes();
   LocalError ErrorOf(HalfEdge edge) const;
-  void Push(HalfEdge edge, double cost);
   void PushBound(HalfEdge edge);
-  Candidate Pop();
-  bool IsCurrent(const Candidate& candidate) const;
-  void DropOutdated();
   bool Refill();
-  bool IsWithinErrorBound(const EdgeStar& star, const Point& w) const;
-  bool IsValid(const EdgeStar& star, const Point& w) const;
-  bool IsFree(const EdgeStar& star, const Point& w) const;
-  bool Crosses(const EdgeStar& star, const Point& w) const;
-  bool SweepsOver(const EdgeStar& star, const Point& w) const;
-  std::vector<Point> FindOutward(HalfEdge edge, const EdgeStar& star, const LocalError& error);
+  bool IsWithinErrorBound(const Star& star, const Point& w) const;
+  bool IsValid(const Star& star, const Point& w) const;
+  std::vector<Point> FindOutward(HalfEdge edge, const Star& star, const LocalError& error);
   void Try(HalfEdge edge);
-  double CostOf(const EdgeStar& star, const LocalError& error, const Point& w) const;
+  double CostOf(const Star& star, const LocalError& error, const Point& w) const;
   bool Defer(
-    HalfEdge edge, const EdgeStar& star, const LocalError& error, const Point& w, double limit);
-  void CollapseOrDefer(HalfEdge edge, const EdgeStar& star, const LocalError& error,
+    HalfEdge edge, const Star& star, const LocalError& error, const Point& w, double limit);
+  void CollapseOrDefer(HalfEdge edge, const Star& star, const LocalError& error,
     const std::vector<Point>& outward, const Point& inward, double limit);
-  void Collapse(HalfEdge edge, const EdgeStar& star, const Point& w);
+  void Collapse(HalfEdge edge, const Star& star, const Point& w);
+  void MoveInward(Vertex vertex);
   void PushAround(Vertex vertex);
 
   SurfaceMesh Surface;
   ChainRecorder History;
-  BoxTree Tree; ///< of the surface's faces
-  SurfaceMesh::size_type FacesAtBuild;
+  CollisionSearch Collisions; ///< of the surface with itself
+  CollapseQueue Queue;
   Obstacle M;
   const FaceDistance<3>& Distance; ///< from M
   Placement Place;
   bool Nested;
-  bool CanSweepOver; ///< over a part of itself, without crossing it
   double ErrorBound = std::numeric_limits<double>::infinity();
-  Point Origin;                     ///< of the quadrics
-  std::vector<Quadric> Quadrics;    ///< per vertex: the planes of the faces that it stands for
-  std::vector<Candidate> Queue;     ///< a heap
-  std::vector<unsigned int> Stamps; ///< per edge: of its last candidate
-  /** Per edge in the queue with its final cost: where it collapses if that is valid then. */
-  std::unordered_map<SurfaceMesh::size_type, Point> Ready;
-  std::vector<char> IsQueued; ///< per edge: whether this candidate is in the queue
+  Point Origin;                  ///< of the quadrics
+  std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
   SurfaceMesh::size_type VerticesAtRefill = 0;
   bool UsesEnds = false; ///< whether edges also collapse into their ends
 };

@@ -17,6 +17,9 @@ namespace carving::helper
 namespace
 {
 
+/** Each later round would gain little. */
+constexpr int TighteningRounds = 2;
+
 bool HasFlatTriangle(const ResolvedMesh& mesh)
 {
   return std::any_of(mesh.Facets.begin(), mesh.Facets.end(),
@@ -119,18 +122,26 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
       // The measured error may be 1 % too large; it has to be within the bound, too.
       decimator.SetErrorBound(target / 1.01);
     }
+    const SurfaceMesh& surface = decimator.GetSurface();
     bool stopped = false;
     long long calls = 0;
-    const auto goOn = [&]
+    const auto mayGoOn = [&]
     {
-      const SurfaceMesh& surface = decimator.GetSurface();
       const double done = 1.0 - std::log(static_cast<double>(surface.number_of_vertices())) / all;
       stopped = ++calls % 1024 == 0 && !GoOn(progress, done);
+      return !stopped;
+    };
+    const auto goOn = [&]
+    {
       const auto count = options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
                                                                      : surface.number_of_vertices();
-      return !stopped && (byError || count > target);
+      return mayGoOn() && (byError || count > target);
     };
     const bool reached = decimator.Run(goOn);
+    for (int round = 0; round < TighteningRounds && !stopped; ++round)
+    {
+      decimator.Tighten(mayGoOn);
+    }
     if (stopped)
     {
       return "stopped";

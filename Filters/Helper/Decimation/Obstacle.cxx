@@ -29,11 +29,6 @@ std::vector<Box> BoxesOf(const ResolvedMesh& mesh)
   return boxes;
 }
 
-Corners3 ToInexact(const Point& a, const Point& b, const Point& c)
-{
-  return { helper::ToInexact(a), helper::ToInexact(b), helper::ToInexact(c) };
-}
-
 } // namespace
 
 Obstacle::Obstacle(const ResolvedMesh& mesh)
@@ -136,15 +131,14 @@ bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, con
   for (const auto& [a, b, c] : faces)
   {
     // w is behind the face, so that this order is positive.
-    const Corners4 tetrahedron = { helper::ToInexact(a), helper::ToInexact(c), helper::ToInexact(b),
-      helper::ToInexact(w) };
+    const Corners4 tetrahedron = { ToInexact(a), ToInexact(c), ToInexact(b), ToInexact(w) };
     this->Tree.ForEachOverlap(Box({ a, b, c, w }),
       [&](int t)
       {
         if (allowed)
         {
-          const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
-          allowed = !Piercer(ToInexact(p, q, r)).FindContact(tetrahedron).Exists();
+          const Corners3 corners = ToInexact(CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]));
+          allowed = !Piercer(corners).FindContact(tetrahedron).Exists();
         }
       });
   }

@@ -62,14 +62,15 @@ Quadric WithPull(Quadric quadric)
 
 } // namespace
 
-bool IsOutside(const EdgeStar& star, const Point& w)
+bool IsOutside(const Star& star, const Point& w)
 {
   const auto p = ToInexact(w);
   return std::all_of(star.Corners.begin(), star.Corners.end(),
     [&](const std::array<Point, 3>& c)
     {
+      const Corners3 corners = ToInexact(c);
       return std::find(c.begin(), c.end(), w) != c.end() ||
-        CGAL::orientation(ToInexact(c[0]), ToInexact(c[1]), ToInexact(c[2]), p) != CGAL::NEGATIVE;
+        CGAL::orientation(corners[0], corners[1], corners[2], p) != CGAL::NEGATIVE;
     });
 }
 
@@ -96,7 +97,7 @@ bool Placement::Widen()
   return true;
 }
 
-std::optional<Point> Placement::FindOutward(const EdgeStar& star, const LocalError& error)
+std::optional<Point> Placement::FindOutward(const Star& star, const LocalError& error)
 {
   this->Current.clear();
   for (const auto& [a, b, c] : star.Corners)
@@ -167,7 +168,7 @@ std::optional<Point> Placement::Minimize(const LocalError& error)
 }
 
 Point Placement::SlideInward(
-  const EdgeStar& star, const LocalError& error, const Point& start, double limit)
+  const Star& star, const LocalError& error, const Point& start, double limit)
 {
   constexpr double almost = 0.999; // of the way to a contact
   this->Current.clear();

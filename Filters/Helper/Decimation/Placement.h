@@ -30,7 +30,7 @@ struct LocalError
 };
 
 /** Whether w is on the outer side of all faces of a star, exactly. */
-bool IsOutside(const EdgeStar& star, const Point& w);
+bool IsOutside(const Star& star, const Point& w);
 
 class Placement
 {
@@ -51,7 +51,7 @@ public:
    * The position of least error on the outer side of all faces of a star, exactly. There, the
    * surface after the collapse encloses the surface before. Nothing if there is no such position.
    */
-  std::optional<Point> FindOutward(const EdgeStar& star, const LocalError& error);
+  std::optional<Point> FindOutward(const Star& star, const LocalError& error);
 
   /**
    * The position of least error that a vertex reaches from an outward position while its faces
@@ -59,7 +59,7 @@ public:
    * the error will exceed `limit`, at a position of less error than that at the end, but more than
    * `limit`.
    */
-  Point SlideInward(const EdgeStar& star, const LocalError& error, const Point& start,
+  Point SlideInward(const Star& star, const LocalError& error, const Point& start,
     double limit = std::numeric_limits<double>::infinity());
 
 private:

@@ -7,6 +7,15 @@
 
 namespace carving::helper
 {
+namespace
+{
+
+HalfEdge RotatedAroundSource(const SurfaceMesh& mesh, HalfEdge h)
+{
+  return mesh.opposite(mesh.prev(h));
+}
+
+} // namespace
 
 std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face)
 {
@@ -56,30 +65,54 @@ std::vector<Box> BoxesOf(const SurfaceMesh& mesh)
   return boxes;
 }
 
-EdgeStar::EdgeStar(const SurfaceMesh& mesh, HalfEdge edge)
+Star::Star(const SurfaceMesh& mesh, HalfEdge edge)
+{
+  this->Reserve();
+  const Face vanishing[] = { mesh.face(edge), mesh.face(mesh.opposite(edge)) };
+  for (const HalfEdge start : { edge, mesh.opposite(edge) })
+  {
+    // From the face after one that vanishes to the other.
+    for (HalfEdge h = RotatedAroundSource(mesh, start);
+         mesh.face(h) != vanishing[0] && mesh.face(h) != vanishing[1];
+         h = RotatedAroundSource(mesh, h))
+    {
+      this->AddFace(mesh, h);
+    }
+  }
+  for (const Face face : vanishing)
+  {
+    this->Faces.push_back(face);
+    this->Corners.push_back(CornersOf(mesh, face));
+  }
+}
+
+Star::Star(const SurfaceMesh& mesh, Vertex vertex)
+{
+  this->Reserve();
+  const HalfEdge first = mesh.opposite(mesh.halfedge(vertex));
+  HalfEdge h = first;
+  do
+  {
+    this->AddFace(mesh, h);
+    h = RotatedAroundSource(mesh, h);
+  } while (h != first);
+}
+
+void Star::Reserve()
 {
   constexpr std::size_t usual = 16; // most stars have fewer faces
   this->Faces.reserve(usual);
   this->Corners.reserve(usual);
   this->Link.reserve(usual);
-  const Face vanishing[] = { mesh.face(edge), mesh.face(mesh.opposite(edge)) };
-  for (const HalfEdge start : { edge, mesh.opposite(edge) })
-  {
-    // Rotates around the source, from the face after one that vanishes to the other.
-    const auto rotated = [&mesh](HalfEdge h) { return mesh.opposite(mesh.prev(h)); };
-    for (HalfEdge h = rotated(start); mesh.face(h) != vanishing[0] && mesh.face(h) != vanishing[1];
-         h = rotated(h))
-    {
-      const HalfEdge outer = mesh.next(h);
-      this->Faces.push_back(mesh.face(h));
-      this->Link.push_back({ mesh.point(mesh.source(outer)), mesh.point(mesh.target(outer)) });
-    }
-  }
-  this->Faces.insert(this->Faces.end(), { vanishing[0], vanishing[1] });
-  for (const Face face : this->Faces)
-  {
-    this->Corners.push_back(CornersOf(mesh, face));
-  }
+}
+
+/** Adds the face of a half-edge from a vertex in the middle of the star. */
+void Star::AddFace(const SurfaceMesh& mesh, HalfEdge spoke)
+{
+  const HalfEdge outer = mesh.next(spoke);
+  this->Faces.push_back(mesh.face(spoke));
+  this->Corners.push_back(CornersOf(mesh, this->Faces.back()));
+  this->Link.push_back({ mesh.point(mesh.source(outer)), mesh.point(mesh.target(outer)) });
 }
 
 } // namespace carving::helper

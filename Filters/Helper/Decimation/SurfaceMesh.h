@@ -33,14 +33,19 @@ bool IsConnectedWithoutCopies(const SurfaceMesh& mesh);
 /** The box of each face; empty for removed ones. */
 std::vector<Box> BoxesOf(const SurfaceMesh& mesh);
 
-/** The faces around an edge. */
-struct EdgeStar
+/** The faces around the ends of an edge that may collapse, or around a vertex that may move. */
+struct Star
 {
-  EdgeStar(const SurfaceMesh& mesh, HalfEdge edge);
+  Star(const SurfaceMesh& mesh, HalfEdge edge);
+  Star(const SurfaceMesh& mesh, Vertex vertex);
 
-  std::vector<Face> Faces;                   ///< around both ends; the two that vanish come last
+  std::vector<Face> Faces;                   ///< the two that vanish with an edge come last
   std::vector<std::array<Point, 3>> Corners; ///< of each of these
   Fan Link; ///< the boundary of the star: an edge of each remaining face
+
+private:
+  void Reserve();
+  void AddFace(const SurfaceMesh& mesh, HalfEdge spoke);
 };
 
 } // namespace carving::helper

@@ -19,11 +19,6 @@ namespace
 using Corners = FacetCorners<3>;
 using DirectedEdge = std::array<int, 2>;
 
-Corners3 AsInexact(const Corners& t)
-{
-  return { ToInexact(t[0]), ToInexact(t[1]), ToInexact(t[2]) };
-}
-
 double TwiceArea(const Corners& t)
 {
   return Length(Cross(t[1] - t[0], t[2] - t[0]));
@@ -124,7 +119,7 @@ void Orient(const ResolvedMesh& surface, FacetClass& facets)
       partsOfEdges.emplace(SortedEdge(parts[i][k], parts[i][(k + 1) % 3]), i);
     }
   }
-  const Corners3 whole = AsInexact(cornersOf(surface.Facets[facets.Largest]));
+  const Corners3 whole = ToInexact(cornersOf(surface.Facets[facets.Largest]));
   std::vector<char> isOriented(parts.size(), 0);
   for (const std::size_t largest : order)
   {
@@ -132,7 +127,7 @@ void Orient(const ResolvedMesh& surface, FacetClass& facets)
     {
       continue;
     }
-    if (!FaceAlike(whole, AsInexact(cornersOf(parts[largest]))))
+    if (!FaceAlike(whole, ToInexact(cornersOf(parts[largest]))))
     {
       parts[largest] = Flipped<3>(parts[largest]);
     }
@@ -245,7 +240,7 @@ std::vector<int> FindFacetClasses(const ResolvedMesh& surface)
   for (std::size_t i = 0; i < surface.Facets.size(); ++i)
   {
     const int source = surface.FacetSources[i];
-    const Corners3 corners = AsInexact(CornersOf<3>(surface.Points, surface.Facets[i]));
+    const Corners3 corners = ToInexact(CornersOf<3>(surface.Points, surface.Facets[i]));
     const bool alike = FaceAlike(first.emplace(source, corners).first->second, corners);
     const auto key =
       std::make_tuple(source, surface.SignedMultiplicities[i], surface.Multiplicities[i], alike);

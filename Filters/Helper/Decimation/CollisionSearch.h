@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Collisions of a surface with itself while it changes.
+ */
+#ifndef carving_CollisionSearch_h
+#define carving_CollisionSearch_h
+
+#include "Helper/Decimation/BoxTree.h"
+#include "Helper/Decimation/SurfaceMesh.h"
+
+namespace carving::helper
+{
+
+class CollisionSearch
+{
+public:
+  /** `surface` must outlive this object. */
+  explicit CollisionSearch(const SurfaceMesh& surface);
+
+  /**
+   * Whether the surface may become one whose faces in a star are those around w: it does not cross
+   * itself, and does not sweep over a part of itself, which would then be on the wrong side without
+   * crossing anything: a component or void, or a part that is joined in a copy of a point. A
+   * connected surface without copies has no such part. Exact.
+   */
+  bool IsFree(const Star& star, const Point& w) const;
+
+  /** Takes over that the faces of a star are those around w now, or have been removed. */
+  void Update(const Star& star, const Point& w);
+
+private:
+  template <class Predicate>
+  bool AnyOutside(const Star& star, const Box& box, Predicate&& predicate) const;
+  bool Crosses(const Star& star, const Point& w) const;
+  bool SweepsOver(const Star& star, const Point& w) const;
+
+  const SurfaceMesh& Surface;
+  BoxTree Tree; ///< of the surface's faces
+  SurfaceMesh::size_type FacesAtBuild;
+  bool CanSweepOver; ///< over a part of itself, without crossing it
+};
+
+} // namespace carving::helper
+
+#endif

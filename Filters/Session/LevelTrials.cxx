@@ -26,6 +26,17 @@ int FindStep(const Profile& profile, int last, double vertices)
   return static_cast<int>(std::upper_bound(begin, begin + last + 1, vertices) - begin) - 1;
 }
 
+/** The last step up to `last` with at most this many components and tunnels; 0 if there is none. */
+int FindSimpleStep(const Profile& profile, int last, double parts)
+{
+  int step = last;
+  while (step > 0 && profile.Components[step] + profile.Tunnels[step] > parts)
+  {
+    --step;
+  }
+  return step;
+}
+
 /** Adds a target to the trial of a step, which is added if there is none. */
 void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step)
 {
@@ -71,8 +82,19 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
       steps.push_back(step);
     }
   }
-  // Collapses of a convex hull do not stick.
-  if (!HaveSameTopology(profile, 0, steps.back()))
+  if (steps.size() == 1) // all vertices are on the hull, so that their number tells nothing
+  {
+    constexpr double verticesOfPart = 4.0; // a component or tunnel keeps about as many
+    for (double parts = least / verticesOfPart; parts >= 1.0; parts /= 2.0)
+    {
+      const int step = FindSimpleStep(profile, last, parts);
+      if (!HaveSameTopology(profile, step, steps.back()))
+      {
+        steps.push_back(step);
+      }
+    }
+  }
+  if (steps.back() > 0) // collapses of a convex hull do not stick
   {
     steps.push_back(0);
   }
@@ -100,8 +122,11 @@ std::vector<int> FindStepsBetween(
   for (const auto& [low, high] :
     { std::array{ coarser, best.Step }, std::array{ best.Step, finer } })
   {
-    const int middle = FindStep(profile, high,
-      std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
+    const bool sameCount = profile.Vertices[low] == profile.Vertices[high];
+    const int middle = sameCount
+      ? (low + high) / 2
+      : FindStep(profile, high,
+          std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
     if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
     {
       steps.push_back(middle);

@@ -35,9 +35,10 @@ struct LevelTrial
 };
 
 /**
- * The last step for each target, steps at halved numbers of vertices where the topology differs,
- * C0, and the steps that reach numbers without a collapse: no level is farther from M. The targets
- * are of one type and sorted from coarse to fine.
+ * The last step for each target, steps at halved numbers of vertices where the topology differs (if
+ * there are none, at halved numbers of components and tunnels), C0, and the steps that reach
+ * numbers without a collapse: no level is farther from M. The targets are of one type and sorted
+ * from coarse to fine.
  */
 std::vector<LevelTrial> PlanTrials(
   const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);

@@ -42,7 +42,24 @@ int CountEdgesOfOpenSurface(vtkPolyData* surface)
   return static_cast<int>(edges->GetOutput()->GetNumberOfCells());
 }
 
-void CarveSimplified(vtkTopologyCarver* carver, int type, const std::vector<double>& targets)
+/** Eight plates in a row, all of whose corners lie on the convex hull, and the widest gap. */
+vtkSmartPointer<vtkPolyData> Plates(double& gap)
+{
+  carving::TriangleMesh all;
+  double x = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    gap = i == 0 ? 0.0 : 0.4 * i - 0.1;
+    const double size = 0.5 + 0.5 * i;
+    const auto plate = models::Box({ x + gap, 0.0, 0.0 }, { x + gap + size, size, 0.2 });
+    all = i == 0 ? plate : models::Joined(all, plate);
+    x += gap + size;
+  }
+  return ToPolyData(all);
+}
+
+void CarveSimplified(vtkTopologyCarver* carver, int type, const std::vector<double>& targets,
+  vtkPolyData* input = TwoTori())
 {
   carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
   carver->SetLevelTargetType(type);
@@ -50,7 +67,7 @@ void CarveSimplified(vtkTopologyCarver* carver, int type, const std::vector<doub
   {
     carver->AddLevelTarget(target);
   }
-  Carve(carver, TwoTori());
+  Carve(carver, input);
 }
 
 } // namespace
@@ -97,6 +114,18 @@ TEST(LevelSimplification, GoesBelowTheHull)
   CarveSimplified(carver, vtkTopologyCarver::VERTICES, { 10 });
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 10);
   EXPECT_TRUE(messages.Warnings.empty());
+}
+
+// Where all vertices lie on the hull, components tell which step a level comes from. A surface that
+// bridges a gap has a point in the middle of the gap.
+TEST(LevelSimplification, FindsStepsWhereAllHaveTheSameVertices)
+{
+  double widestGap = 0.0;
+  const auto plates = Plates(widestGap);
+  vtkNew<vtkTopologyCarver> carver;
+  CarveSimplified(carver, vtkTopologyCarver::VERTICES, { 20 }, plates);
+  EXPECT_LE(LastLevel(carver)->GetNumberOfPoints(), 20);
+  EXPECT_LT(GetFieldValue(LastLevel(carver), "Error"), widestGap / 2.0);
 }
 
 // A number of tunnels and one of vertices can be limited at the same time.

@@ -239,14 +239,16 @@ public:
   ///@{
   /**
    * The treatment of a mesh that TetGen cannot tetrahedralize. Without effect on contours.
-   * - EXACT: TetGen is tried with two orders of the points and triangles. If M is closed, TetGen
-   *   is then tried without the triangles that have solid on both sides, which no level shows. The
-   *   next attempts add vertices on the triangles, at most 10 for each of M's own, plus 100,000,
-   *   and may cut the parts of a triangle in another way. If all attempts fail, the result is an
-   *   error. The last level is M.
+   * - EXACT: TetGen is tried with two orders of the points and triangles. If M does not cross
+   *   itself, its triangles are recovered in a Delaunay tetrahedralization in between, with
+   *   vertices off M where that is necessary. If M is closed, TetGen is then tried without the
+   *   triangles that have solid on both sides, which no level shows. The next attempts add vertices
+   *   on the triangles, at most 10 for each of M's own, plus 100,000, and may cut the parts of a
+   *   triangle in another way. If all attempts fail, the result is an error. The last level is M.
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
-   *   are never carved: levels enclose M and do not cross themselves, but the last level only
-   *   approximates M (see EnclosingTolerance).
+   *   are never carved: levels enclose M and do not cross themselves. Triangles are recovered as
+   *   faces as far as possible; elsewhere, the last level only approximates M (see
+   *   EnclosingTolerance).
    * - AUTO (default): EXACT, and ENCLOSING if that fails or takes too long, or if M crosses itself
    *   in so many places that resolving would multiply its size.
    *
@@ -265,8 +267,9 @@ public:
    * the mesh in ENCLOSING mode, as a share of the diagonal of the mesh's bounding box. Where they
    * reach farther, vertices are added on the mesh's triangles and near them until the tolerance
    * holds, but at most 10 for each of the mesh's own vertices, plus 100,000. The array
-   * `KeptDistance` of the field data has the distance that has been reached. Range 0 to 1, default
-   * 0.02. With 0, no vertex is added, and levels have vertices of the mesh only.
+   * `KeptDistance` of the field data has the distance that has been reached, and `MetShare` the
+   * share of the mesh's area that is met exactly. Range 0 to 1, default 0.02. With 0, no vertex is
+   * added, and levels have vertices of the mesh only.
    */
   void SetEnclosingTolerance(double value)
   {

@@ -38,8 +38,9 @@
  * - field data, on how the level was made: `Step`; `Kind`, "carved", "simplified" (see
  *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the
  *   mesh was tetrahedralized (see below); `KeptDistance`, only of a mesh that is enclosed: the
- *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `SnapDistance`, only of a
- *   snapped mesh: the largest distance that a point was moved.
+ *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `MetShare`, likewise: the
+ *   share of the mesh's area that pierces no tetrahedron, so that the last level consists of it
+ *   there; `SnapDistance`, only of a snapped mesh: the largest distance that a point was moved.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
  *   and `Voids` of the closed complex K_i; `SurfaceComponents` and `SurfaceGenus` of the level's
@@ -48,6 +49,7 @@
  *
  * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, order 1" and so on; "TetGen -pcY,
  * without interior" if triangles inside the solid were left out, which the stream then lacks;
+ * "Delaunay, recovery" if TetGen failed and vertices may have been added off the triangles;
  * "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points were
  * moved; and "Delaunay, enclosing".
  *

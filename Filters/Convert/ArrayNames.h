@@ -16,6 +16,7 @@ constexpr const char* OriginalCells = "vtkOriginalCellIds";
 constexpr const char* OriginalPoints = "vtkOriginalPointIds";
 constexpr const char* Strategy = "Strategy";
 constexpr const char* KeptDistance = "KeptDistance";
+constexpr const char* MetShare = "MetShare";
 constexpr const char* SnapDistance = "SnapDistance"; ///< of the mesh, and per point
 constexpr const char* Region = "Region";
 constexpr const char* SolidSides = "SolidSides";

@@ -52,8 +52,8 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   {
     const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
     std::ostringstream text;
-    text << "The mesh is only enclosed: " << kept
-         << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
+    text << "The mesh is only enclosed: " << 100.0 * reply.MetShare << " % of its area is met. "
+         << kept << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
          << " from it. To keep them small, " << reply.PointsAdded
          << " vertices were added to the mesh's own " << result.Unresolved.Points.size() << ".";
     notes.push_back(text.str());

@@ -104,6 +104,7 @@ void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>
   if (!reply.Result.Kept.empty())
   {
     AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::MetShare, reply.MetShare);
   }
   if (reply.SnapDistance > 0.0)
   {

@@ -25,12 +25,12 @@ NOT_PROVOKED = {
     "N object(s) were spread over several processes": "the plugin's tests run several processes under MPI",
 }
 # Parts of messages that depend on TetGen's success with a mesh, or on the system.
-ENDS_OF_ATTEMPTS = ("TetGen ", "crashed", "of processor time", "was killed", "could not be started")
+ENDS_OF_ATTEMPTS = ("TetGen ", "recovery lacks ", "crashed", "of processor time", "was killed", "could not be started")
 
 # Literals that begin like a sentence but are names in field data.
 NAMES = {
     "TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcY, without interior", "TetGen -pcY, snapped", "TetGen -pc",
-    "Delaunay, enclosing", "CGAL constrained Delaunay", "LOD "}
+    "Delaunay, enclosing", "Delaunay, recovery", "CGAL constrained Delaunay", "LOD "}
 
 
 def read(name):

@@ -16,8 +16,8 @@ namespace
 {
 
 // Increment the last digit whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', '9' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', '9' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'A' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'A' };
 
 class Writer
 {
@@ -189,6 +189,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Attempts);
   archive.Array(reply.Limits);
   archive.Value(reply.KeptDistance);
+  archive.Value(reply.MetShare);
   archive.Value(reply.PointsAdded);
   archive.Value(reply.InteriorDropped);
   archive.Value(reply.SolidMatters);

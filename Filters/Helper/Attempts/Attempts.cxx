@@ -5,6 +5,7 @@
 #include "Helper/Attempts/Shuffle.h"
 #include "Helper/Base/GrownBox.h"
 #include "Helper/Exact/InitialSurface.h"
+#include "Helper/Recovery/RecoverAll.h"
 
 namespace carving::helper
 {
@@ -55,8 +56,28 @@ bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
 {
   Tetrahedralization& result = this->TheReply.Result;
   Shuffle(order, result.Surface);
-  const Ending ending =
-    Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result);
+  return this->WriteExact(
+    Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result));
+}
+
+bool Attempts::TryRecovery()
+{
+  Tetrahedralization& result = this->TheReply.Result;
+  const Limits limits =
+    LimitsOfAttempt(this->TheJob, SurfacePoints::None, result.Surface.Facets.size());
+  this->TheReply.Strategy = "Delaunay, recovery";
+  return this->TryInChild(this->TheReply.Strategy + ": ", "", limits,
+    [&]
+    {
+      return this->WriteExact(
+        RecoverAll(this->FurtherPoints(result.Surface.Points), this->Host.Report, result));
+    });
+}
+
+/** Writes the result of an attempt at the resolved mesh, or records why there is none. */
+bool Attempts::WriteExact(const Ending& ending)
+{
+  Tetrahedralization& result = this->TheReply.Result;
   if (!ending.Mistake.empty())
   {
     this->Failures.Add(this->TheReply.Strategy + ": ", ending);

@@ -34,6 +34,9 @@ protected:
   /** Tries TetGen on the resolved mesh in the orders from `first` to the one before `last`. */
   bool TryOrders(const std::string& strategy, int first, int last, SurfacePoints surfacePoints);
 
+  /** Tries recovery on the resolved mesh. */
+  bool TryRecovery();
+
   bool WriteResult();
 
   /** Writes an error that no other attempt could avoid: the given C0 is at fault. */
@@ -47,6 +50,7 @@ protected:
 
 private:
   bool TryOrder(int order, SurfacePoints surfacePoints);
+  bool WriteExact(const Ending& ending);
 };
 
 } // namespace carving::helper

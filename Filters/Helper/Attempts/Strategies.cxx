@@ -4,9 +4,9 @@
 #include "Core/Mesh/Vector.h"
 #include "Helper/Attempts/Attempts.h"
 #include "Helper/Attempts/Patience.h"
-#include "Helper/Enclosing/Enclose.h"
 #include "Helper/Exact/InitialSurface.h"
 #include "Helper/Exact/Tetrahedralize.h"
+#include "Helper/Recovery/Enclose.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Interior.h"
 #include "Helper/Resolve/Resolve.h"
@@ -139,7 +139,11 @@ bool StrategyRun::TryExact()
   }
   this->Host.End();
   this->Host.Begin(Stage::Tetrahedralize);
-  return this->TryOrders("TetGen -pcY", 0, NumberOfOrders, SurfacePoints::None) ||
+  // Where parts crossed, rounded points make slivers that recovery cannot get past.
+  const bool isClean = this->TheReply.IntersectingPairs == 0;
+  return this->TryOrders("TetGen -pcY", 0, 1, SurfacePoints::None) ||
+    (isClean && this->TryRecovery()) ||
+    this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||
     this->TryWithoutInterior() ||
     this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
 }
@@ -203,8 +207,10 @@ bool StrategyRun::TryEnclosing()
   const ResolvedMesh input = std::move(this->TheReply.Result.Surface);
   this->TheReply.Strategy = "Delaunay, enclosing";
   const std::vector<Point> further = this->FurtherPoints(input.Points);
-  this->TheReply.KeptDistance = Enclose(
+  const Enclosure enclosure = Enclose(
     input, further, this->TheJob.EnclosingTolerance, this->Host.Report, this->TheReply.Result);
+  this->TheReply.KeptDistance = enclosure.KeptDistance;
+  this->TheReply.MetShare = enclosure.MetShare;
   this->TheReply.PointsAdded = static_cast<int>(
     this->TheReply.Result.Surface.Points.size() - input.Points.size() - further.size());
   return this->WriteResult();

@@ -12,12 +12,6 @@ namespace carving::helper
 namespace
 {
 
-Corners4 CornersOfCell(const PiercedMesh::Cell& cell)
-{
-  return { cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
-    cell->vertex(3)->point() };
-}
-
 template <std::size_t N>
 CGAL::Bbox_3 BoundsOf(const std::array<Inexact::Point_3, N>& corners)
 {
@@ -30,6 +24,12 @@ CGAL::Bbox_3 BoundsOf(const std::array<Inexact::Point_3, N>& corners)
 }
 
 } // namespace
+
+Corners4 CornersOf(const PiercedMesh::Cell& cell)
+{
+  return { cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
+    cell->vertex(3)->point() };
+}
 
 Corners3 FaceOf(const PiercedMesh::Cell& cell, int f)
 {
@@ -166,7 +166,7 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
 /** Records the contact of a part with a cell; returns whether there is one. */
 bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 {
-  const Contact contact = piercer.FindContact(CornersOfCell(cell));
+  const Contact contact = piercer.FindContact(helper::CornersOf(cell));
   if (contact.Exists())
   {
     cell->info().Add({ part, contact });
@@ -184,6 +184,23 @@ void PiercedMesh::Place(int part)
     const Piercer piercer(corners);
     this->Walk(part, piercer, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
   }
+}
+
+std::vector<PiercedMesh::Cell> PiercedMesh::FindCells(int part)
+{
+  std::vector<Cell> cells;
+  const Piercer piercer(this->CornersOf(part));
+  this->Walk(part, piercer,
+    [&](const Cell& cell)
+    {
+      const bool meets = piercer.FindContact(helper::CornersOf(cell)).Exists();
+      if (meets)
+      {
+        cells.push_back(cell);
+      }
+      return meets;
+    });
+  return cells;
 }
 
 void PiercedMesh::Forget(int part)
@@ -305,7 +322,7 @@ void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    cellBoxes.emplace_back(BoundsOf(CornersOfCell(cells[i])), firstCell + static_cast<int>(i));
+    cellBoxes.emplace_back(BoundsOf(helper::CornersOf(cells[i])), firstCell + static_cast<int>(i));
   }
   std::vector<std::pair<int, int>> pairs;
   CGAL::box_intersection_d(partBoxes.begin(), partBoxes.end(), cellBoxes.begin(), cellBoxes.end(),

@@ -59,6 +59,26 @@ public:
    */
   bool TakeFaces(int part);
 
+  /** Whether a part is a face. */
+  bool IsFace(int part) const;
+
+  /** The tetrahedra that a part pierces, or a face of which it overlaps in an area. */
+  std::vector<Cell> FindCells(int part);
+
+  /** The tetrahedra that the segment between two vertices crosses; none if it is an edge. */
+  std::vector<Cell> FindCells(int a, int b);
+
+  /** A new vertex, for Refill. */
+  Vertex AddVertex(const Point& p);
+
+  /**
+   * Replaces cells by others that fill the same space, given by their corners and oriented
+   * positively. Afterwards the mesh is no longer Delaunay, and no point can be inserted any more.
+   * Returns the new cells.
+   */
+  std::vector<Cell> Refill(
+    const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);
+
   /** The number of comparisons of parts with tetrahedra so far: the work that has been done. */
   std::size_t GetEffort() const
   {
@@ -98,6 +118,8 @@ private:
   std::size_t Effort = 0;
   std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
+
+Corners4 CornersOf(const PiercedMesh::Cell& cell);
 
 /** The corners of face f of a cell, counter-clockwise when seen from outside the cell. */
 Corners3 FaceOf(const PiercedMesh::Cell& cell, int f);

@@ -24,6 +24,13 @@ void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance
   std::size_t maximumPoints, const std::function<bool(double)>& progress);
 
 /**
+ * Whether every exposed face of a cell, or of a neighbor behind the cell's faces, is within
+ * `tolerance` of M.
+ */
+bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
+  const SurfaceDistance& distance, double tolerance);
+
+/**
  * The largest distance of a pierced tetrahedron's point from M, to within 5 %, but at least
  * `negligible`; 0 if no tetrahedron is pierced.
  */

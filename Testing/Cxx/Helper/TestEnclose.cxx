@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -143,6 +144,37 @@ TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
   const auto shell = Shell(ExtractLevel(carved.Stored, carved.Stream.LastStep()));
   EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * 2.0, 1e-12);
   EXPECT_EQ(carved.Profile.Components.back(), 2);
+}
+
+// A mesh without crossings is met as a whole, and nothing is kept.
+TEST(Enclose, MeetsACleanMesh)
+{
+  const Reply reply = GetReply(models::Torus(1.0, 0.4, 12, 8), Conformity::Enclosing);
+  EXPECT_EQ(reply.KeptDistance, 0.0);
+  EXPECT_EQ(reply.MetShare, 1.0);
+  EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
+}
+
+// The share that is met is that of the faces' area in the area of the mesh.
+TEST(Enclose, KnowsWhichShareIsMet)
+{
+  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
+    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const Reply reply = GetReply(mesh, Conformity::Enclosing);
+  const auto areaOf = [](const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+  {
+    double area = 0.0;
+    for (const auto& [a, b, c] : triangles)
+    {
+      area += Length(Cross(points[b] - points[a], points[c] - points[a])) / 2.0;
+    }
+    return area;
+  };
+  const ResolvedMesh& surface = reply.Result.Surface;
+  const double met = areaOf(surface.Points, surface.Facets);
+  EXPECT_NEAR(reply.MetShare, met / areaOf(mesh.Points, mesh.Triangles), 1e-9);
+  EXPECT_GT(reply.MetShare, 0.5);
+  EXPECT_LT(reply.MetShare, 1.0); // where the two cross, no triangle can be met
 }
 
 // Pierced tetrahedra are never carved and have no priority.

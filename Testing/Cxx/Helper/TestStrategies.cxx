@@ -159,7 +159,7 @@ TEST(Strategies, EndAttemptsThatComputeTooLong)
       }
       return reply.Strategy + ", " + reply.Limits;
     });
-  EXPECT_EQ(written, "TetGen -pcY, order 1, TetGen took longer than 3.008 s of processor time\n\n");
+  EXPECT_EQ(written, "Delaunay, recovery, TetGen took longer than 3.008 s of processor time\n\n");
 }
 
 // TimeLimit is by the clock, and the reply names it once, however many attempts it ends.

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Recovery/Enclose.h"
+
+#include "Core/Mesh/Vector.h"
+#include "Helper/Base/Effort.h"
+#include "Helper/Enclosing/Refine.h"
+#include "Helper/Recovery/Recover.h"
+#include "Helper/Recovery/WriteCells.h"
+
+#include <memory>
+
+namespace carving::helper
+{
+namespace
+{
+
+using Cell = PiercedMesh::Cell;
+
+/** Adds the faces on which parts of M lie. */
+void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
+{
+  ResolvedMesh& surface = result.Surface;
+  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
+  {
+    const int index = cell->info().Index;
+    for (int f = 0; f < 4; ++f)
+    {
+      const int part = cell->info().PartOn(f);
+      if (part < 0 || result.Constraints[index][f] >= 0)
+      {
+        continue;
+      }
+      const int facet = static_cast<int>(surface.Facets.size());
+      const int parent = mesh.GetParts().GetParts()[part].Parent;
+      const Triangle outward = result.OutwardFace(index, f);
+      AppendFacet<3>(input, parent,
+        FaceAlike(mesh.CornersOf(part), FaceOf(cell, f)) ? outward : Flipped<3>(outward), surface);
+      result.Constraints[index][f] = facet;
+      const Cell other = cell->neighbor(f);
+      if (!mesh.GetDelaunay().is_infinite(other))
+      {
+        result.Constraints[other->info().Index][other->index(cell)] = facet;
+      }
+    }
+  }
+}
+
+/** The share of M's area that pierces no tetrahedron. */
+double MeasureMetShare(const PiercedMesh& mesh)
+{
+  const auto& parts = mesh.GetParts().GetParts();
+  std::vector<char> pierces(parts.size(), 0);
+  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
+  {
+    for (const PartContact& contact : cell->info().All)
+    {
+      pierces[contact.Part] |= contact.How.Pierces;
+    }
+  }
+  double met = 0.0, all = 0.0;
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    if (parts[part].Parent >= 0)
+    {
+      const auto [a, b, c] = mesh.GetParts().GetCorners(part);
+      const double twiceArea = Length(Cross(b - a, c - a));
+      all += twiceArea;
+      met += pierces[part] ? 0.0 : twiceArea;
+    }
+  }
+  return met / all;
+}
+
+} // namespace
+
+Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
+  const std::function<bool(double)>& progress, Tetrahedralization& result)
+{
+  const double length = Diagonal(input.Points);
+  const SurfaceDistance distance(input);
+  constexpr double negligible = 1e-4;
+  const auto reach = [&](const PiercedMesh& mesh)
+  { return Reach(mesh, distance, negligible * length); };
+  const auto part = [&](double begin, double end) {
+    return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
+  };
+  const auto steps = [&](std::ptrdiff_t perFacet)
+  { return 100000 + perFacet * static_cast<std::ptrdiff_t>(input.Facets.size()); };
+  RecoveryLimits limits = { steps(300), tolerance > 0.0 }; // enough for a clean mesh
+  auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
+  Recover(*mesh, limits, part(0.1, 0.4));
+  double kept = reach(*mesh);
+  if (tolerance > 0.0 && kept > tolerance * length)
+  {
+    // No point can be put into a mesh after recovery, hence another one.
+    mesh = std::make_unique<PiercedMesh>(input, further, part(0.4, 0.5));
+    constexpr double accuracy = 1.05; // distances are exact to within this factor
+    const double bound = tolerance * length / accuracy;
+    Refine(*mesh, distance, bound, MaximumPointsAdded(input.Points.size()), part(0.5, 0.8));
+    limits.Steps = steps(1000);
+    limits.MayExist = [&](const Cell& cell)
+    { return IsExposedWithin(cell, *mesh, distance, bound); };
+    Recover(*mesh, limits, part(0.8, 1.0));
+    kept = reach(*mesh);
+  }
+  result = {};
+  result.Surface.PointSources = input.PointSources;
+  WriteCells(*mesh, result);
+  for (const Cell cell : mesh->GetDelaunay().finite_cell_handles())
+  {
+    result.Kept.push_back(cell->info().IsPierced());
+  }
+  WriteFaces(*mesh, input, result);
+  result.Unresolved = input;
+  return { kept, MeasureMetShare(*mesh) };
+}
+
+} // namespace carving::helper

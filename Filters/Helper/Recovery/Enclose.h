@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The strategy that always succeeds: a Delaunay tetrahedralization in which every tetrahedron that
+ * M pierces is kept, that is, never carved. Not in the paper.
+ */
+#ifndef carving_Enclose_h
+#define carving_Enclose_h
+
+#include "Core/Mesh/Mesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace carving::helper
+{
+
+/** How far an enclosure is from M. */
+struct Enclosure
+{
+  double KeptDistance; ///< the largest distance of a kept tetrahedron's point from M, to within 5 %
+  double MetShare;     ///< the share of M's area that pierces no tetrahedron
+};
+
+/**
+ * Tetrahedralizes the points of `input`, which has been cleaned and may cross itself, and the
+ * `further` points of C0; not all points may lie in one plane. Triangles of M are recovered as
+ * faces where they do not cross each other. `tolerance` is a share of the diagonal of M's bounding
+ * box: points are added until no kept tetrahedron reaches farther from M, or until there are too
+ * many points. With 0, none are added on M.
+ *
+ * In the result, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
+ * of M in an area, as parts of M, and `Unresolved` is the input.
+ */
+Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
+  const std::function<bool(double)>& progress, Tetrahedralization& result);
+
+} // namespace carving::helper
+
+#endif

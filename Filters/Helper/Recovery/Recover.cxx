@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Recovery/Recover.h"
+
+#include "Helper/Recovery/CavityPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+namespace carving::helper
+{
+namespace
+{
+
+using Cell = PiercedMesh::Cell;
+using Vertex = PiercedMesh::Vertex;
+
+constexpr int WholePart = -1;                ///< instead of an edge
+constexpr std::size_t MaximumVertices = 48;  ///< of a cavity
+constexpr std::size_t MaximumForPoints = 32; ///< of a cavity into which points are put
+
+/** How hard a part is tried: ever harder from pass to pass. */
+struct Pass
+{
+  bool EdgesFirst;
+  int Rings;            ///< of cells around those that the part meets
+  int Points;           ///< at most so many are added at a time
+  std::ptrdiff_t Steps; ///< in each cavity
+};
+
+Pass MakePass(int index)
+{
+  // Draws of points differ from pass to pass; their number matters less.
+  return index == 0 ? Pass{ false, 0, 0, 4000 }
+    : index == 1    ? Pass{ true, 1, 0, 20000 }
+    : index == 2    ? Pass{ true, 2, 0, 100000 }
+                    : Pass{ true, 2, 2 + index % 4, 100000 };
+}
+
+/** The cells to be replaced, and their vertices as points of a cavity. */
+struct Region
+{
+  const std::vector<Cell>& Cells;
+  std::vector<Vertex> Vertices; ///< per point of the cavity; none for a point that has been added
+  std::map<Vertex, int> Indices;
+  Cavity Space;
+};
+
+class Recoverer
+{
+public:
+  Recoverer(PiercedMesh& mesh, const RecoveryLimits& limits)
+    : Mesh(mesh)
+    , StepsLeft(limits.Steps)
+    , MayExist(limits.MayExist)
+  {
+  }
+
+  /** Returns whether the part is a face now. */
+  bool TryPart(int part, const Pass& pass);
+
+  bool HasStepsLeft() const
+  {
+    return this->StepsLeft > 0;
+  }
+
+private:
+  bool IsInfinite(const Cell& cell) const
+  {
+    return this->Mesh.GetDelaunay().is_infinite(cell);
+  }
+  bool IsRecovered(const Cell& cell, int f) const;
+  void AddInfinite(int part, std::vector<Cell>& cells) const;
+  void Grow(std::vector<Cell>& cells) const;
+  void TryEdge(int part, int edge, const Pass& pass);
+  bool TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass);
+  void AddVertices(int part, Region& region) const;
+  Inexact::Point_3 PlaceInfinity(int part, const Cell& cell, int i) const;
+  void AddFront(Region& region) const;
+  void Demand(int part, int edge, Region& region) const;
+  void AddPoints(int part, int maximumPoints, Region& region);
+  bool Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region);
+
+  PiercedMesh& Mesh;
+  std::ptrdiff_t StepsLeft;
+  const CellPredicate& MayExist;
+  std::mt19937 Random;
+};
+
+/** Whether a face of a cell is a part of M. */
+bool Recoverer::IsRecovered(const Cell& cell, int f) const
+{
+  if (this->IsInfinite(cell))
+  {
+    const Cell other = cell->neighbor(f);
+    return !this->IsInfinite(other) && this->IsRecovered(other, other->index(cell));
+  }
+  const auto isCorner = [&](int vertex)
+  {
+    return std::any_of(std::begin(FaceCorners[f]), std::end(FaceCorners[f]),
+      [&](int i) { return cell->vertex(i)->info().Index == vertex; });
+  };
+  const auto& contacts = cell->info().All;
+  return std::any_of(contacts.begin(), contacts.end(),
+    [&](const PartContact& contact)
+    {
+      const Triangle& corners = this->Mesh.GetParts().GetParts()[contact.Part].Corners;
+      return contact.How.Face == f && std::all_of(corners.begin(), corners.end(), isCorner);
+    });
+}
+
+/** Adds the infinite cells at faces of the hull that lie in the plane of a part. */
+void Recoverer::AddInfinite(int part, std::vector<Cell>& cells) const
+{
+  const Piercer piercer(this->Mesh.CornersOf(part));
+  const std::size_t count = cells.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const Corners3 face = FaceOf(cells[i], f);
+      const Cell neighbor = cells[i]->neighbor(f);
+      if (this->IsInfinite(neighbor) &&
+        std::all_of(face.begin(), face.end(),
+          [&](const auto& p) { return piercer.SideOf(p) == CGAL::COPLANAR; }))
+      {
+        cells.push_back(neighbor);
+      }
+    }
+  }
+}
+
+/** Adds a ring of cells, but none behind a part of M. */
+void Recoverer::Grow(std::vector<Cell>& cells) const
+{
+  std::set<Cell> within(cells.begin(), cells.end());
+  const std::size_t count = cells.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (int f = 0; f < 4 && !this->IsInfinite(cells[i]); ++f)
+    {
+      const Cell neighbor = cells[i]->neighbor(f);
+      if (!this->IsInfinite(neighbor) && !this->IsRecovered(cells[i], f) &&
+        within.insert(neighbor).second)
+      {
+        cells.push_back(neighbor);
+      }
+    }
+  }
+}
+
+/** A point that stands for the infinite vertex i of a cell, off the plane of a part. */
+Inexact::Point_3 Recoverer::PlaceInfinity(int part, const Cell& cell, int i) const
+{
+  const Corners3 t = this->Mesh.CornersOf(part);
+  const auto normal = CGAL::cross_product(t[1] - t[0], t[2] - t[0]);
+  const double scale = std::sqrt((t[1] - t[0]).squared_length() / normal.squared_length());
+  const Vertex inside = this->Mesh.GetDelaunay().mirror_vertex(cell, i);
+  const double sign = Piercer(t).SideOf(inside->point()) == CGAL::POSITIVE ? -1.0 : 1.0;
+  return CGAL::centroid(t[0], t[1], t[2]) + sign * scale * normal;
+}
+
+void Recoverer::AddVertices(int part, Region& region) const
+{
+  const Piercer piercer(this->Mesh.CornersOf(part));
+  Cavity& cavity = region.Space;
+  for (const Cell& cell : region.Cells)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Vertex v = cell->vertex(i);
+      const int index = static_cast<int>(region.Vertices.size());
+      if (!region.Indices.try_emplace(v, index).second)
+      {
+        continue;
+      }
+      region.Vertices.push_back(v);
+      if (this->Mesh.GetDelaunay().is_infinite(v))
+      {
+        cavity.Infinite = index;
+        cavity.AddPoint(this->PlaceInfinity(part, cell, i), false, false);
+      }
+      else
+      {
+        cavity.AddPoint(v->point(), true, piercer.SideOf(v->point()) == CGAL::COPLANAR);
+      }
+    }
+  }
+}
+
+void Recoverer::AddFront(Region& region) const
+{
+  const std::set<Cell> within(region.Cells.begin(), region.Cells.end());
+  for (const Cell& cell : region.Cells)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      if (within.count(cell->neighbor(f)) == 0 || this->IsRecovered(cell, f))
+      {
+        const auto& [a, b, c] = FaceCorners[f];
+        region.Space.Front.push_back({ region.Indices.at(cell->vertex(a)),
+          region.Indices.at(cell->vertex(c)), region.Indices.at(cell->vertex(b)) });
+      }
+    }
+  }
+}
+
+/** Demands that a part, or one of its edges, is there after the filling. */
+void Recoverer::Demand(int part, int edge, Region& region) const
+{
+  const Triangle& corners = this->Mesh.GetParts().GetParts()[part].Corners;
+  const auto find = [&](int corner)
+  {
+    return static_cast<int>(std::find_if(region.Vertices.begin(), region.Vertices.end(),
+                              [&](const Vertex& v) { return v->info().Index == corner; }) -
+      region.Vertices.begin());
+  };
+  if (edge == WholePart)
+  {
+    const Triangle wall = { find(corners[0]), find(corners[1]), find(corners[2]) };
+    region.Space.Front.push_back(wall);
+    region.Space.Front.push_back(Flipped<3>(wall));
+  }
+  else
+  {
+    region.Space.Edge = { find(corners[(edge + 1) % 3]), find(corners[(edge + 2) % 3]) };
+  }
+}
+
+void Recoverer::AddPoints(int part, int maximumPoints, Region& region)
+{
+  std::vector<Corners4> cells;
+  for (const Cell& cell : region.Cells)
+  {
+    if (!this->IsInfinite(cell))
+    {
+      cells.push_back(CornersOf(cell));
+    }
+  }
+  AddCavityPoints(cells, this->Mesh.CornersOf(part), maximumPoints, this->Random, region.Space);
+  region.Vertices.resize(region.Space.Points.size());
+}
+
+bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass)
+{
+  Region region{ cells, {}, {}, {} };
+  this->AddVertices(part, region);
+  if (region.Vertices.size() > (pass.Points > 0 ? MaximumForPoints : MaximumVertices))
+  {
+    return false;
+  }
+  this->AddFront(region);
+  this->Demand(part, edge, region);
+  if (pass.Points > 0)
+  {
+    this->AddPoints(part, pass.Points, region);
+    this->StepsLeft -= pass.Steps / 4; // for choosing points
+  }
+  std::ptrdiff_t steps = pass.Steps;
+  Filling filling(region.Space);
+  const bool filled = filling.Run(steps);
+  this->StepsLeft -= pass.Steps - steps;
+  return filled && this->Commit(filling.GetCells(), region);
+}
+
+/** Replaces the cells, unless some cell may not be there then. Returns whether it did. */
+bool Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region)
+{
+  std::vector<std::array<Vertex, 4>> made;
+  for (const Filling::Tetrahedron& cell : cells)
+  {
+    auto& corners = made.emplace_back();
+    for (int i = 0; i < 4; ++i)
+    {
+      Vertex& v = region.Vertices[cell[i]];
+      v = v == Vertex() ? this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]])) : v;
+      corners[i] = v;
+    }
+  }
+  std::vector<std::array<Vertex, 4>> before;
+  for (const Cell& cell : region.Cells)
+  {
+    before.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
+  }
+  const std::vector<Cell> now = this->Mesh.Refill(region.Cells, made);
+  const bool good = std::all_of(now.begin(), now.end(),
+    [&](const Cell& cell) { return this->IsInfinite(cell) || this->MayExist(cell); });
+  if (!good)
+  {
+    this->Mesh.Refill(now, before);
+  }
+  return good;
+}
+
+void Recoverer::TryEdge(int part, int edge, const Pass& pass)
+{
+  const Triangle& corners = this->Mesh.GetParts().GetParts()[part].Corners;
+  std::vector<Cell> cells = this->Mesh.FindCells(corners[(edge + 1) % 3], corners[(edge + 2) % 3]);
+  for (int ring = 0; ring <= pass.Rings && !cells.empty(); ++ring)
+  {
+    if (this->TryCells(part, edge, cells, pass))
+    {
+      return;
+    }
+    this->Grow(cells);
+  }
+}
+
+bool Recoverer::TryPart(int part, const Pass& pass)
+{
+  for (int edge = 0; edge < 3 && pass.EdgesFirst; ++edge)
+  {
+    this->TryEdge(part, edge, pass);
+  }
+  if (this->Mesh.IsFace(part))
+  {
+    return true;
+  }
+  std::vector<Cell> cells = this->Mesh.FindCells(part);
+  this->AddInfinite(part, cells);
+  for (int ring = 0; ring <= pass.Rings && !cells.empty(); ++ring)
+  {
+    if (this->TryCells(part, WholePart, cells, pass))
+    {
+      return true;
+    }
+    this->Grow(cells);
+  }
+  return false;
+}
+
+} // namespace
+
+std::size_t Recover(
+  PiercedMesh& mesh, const RecoveryLimits& limits, const std::function<bool(double)>& progress)
+{
+  std::vector<int> missing;
+  const auto& parts = mesh.GetParts().GetParts();
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    if (parts[part].Parent >= 0 && !mesh.IsFace(part))
+    {
+      missing.push_back(part);
+    }
+  }
+  Recoverer recoverer(mesh, limits);
+  constexpr int passesWithoutPoints = 3, maximumPasses = 30;
+  const int passes = limits.MayAddPoints ? maximumPasses : passesWithoutPoints;
+  for (int index = 0; index < passes && !missing.empty() && recoverer.HasStepsLeft(); ++index)
+  {
+    const Pass pass = MakePass(index);
+    const auto isRecovered = [&](int part)
+    { return recoverer.HasStepsLeft() && recoverer.TryPart(part, pass); };
+    missing.erase(std::remove_if(missing.begin(), missing.end(), isRecovered), missing.end());
+    progress(static_cast<double>(index + 1) / passes);
+  }
+  return missing.size();
+}
+
+} // namespace carving::helper

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Recovers the triangles of M that a Delaunay tetrahedralization lacks. Not in the paper.
+ */
+#ifndef carving_Recover_h
+#define carving_Recover_h
+
+#include "Helper/Enclosing/PiercedMesh.h"
+
+#include <functional>
+
+namespace carving::helper
+{
+
+using CellPredicate = std::function<bool(const PiercedMesh::Cell&)>;
+
+struct RecoveryLimits
+{
+  std::ptrdiff_t Steps; ///< comparisons of a triangle or a point with a tetrahedron
+  bool MayAddPoints;    ///< off M
+  /** All finite cells that are made satisfy this, which is asked while they are in the mesh. */
+  CellPredicate MayExist = [](const PiercedMesh::Cell&) { return true; };
+};
+
+/**
+ * Makes faces of the parts of M, one after the other: the tetrahedra that a part meets are removed,
+ * and the cavity is filled again around the part. The mesh is valid at any time, and a part that is
+ * a face stays one. Returns the number of parts that are not faces. Afterwards no point can be put
+ * into the mesh.
+ */
+std::size_t Recover(
+  PiercedMesh& mesh, const RecoveryLimits& limits, const std::function<bool(double)>& progress);
+
+} // namespace carving::helper
+
+#endif

@@ -71,6 +71,9 @@ public:
   /** A new vertex, for Refill. */
   Vertex AddVertex(const Point& p);
 
+  /** Removes the vertices that were added last, which no cell has. */
+  void RemoveLastVertices(int count);
+
   /**
    * Replaces cells by others that fill the same space, given by their corners and oriented
    * positively. Afterwards the mesh is no longer Delaunay, and no point can be inserted any more.

@@ -103,6 +103,16 @@ PiercedMesh::Vertex PiercedMesh::AddVertex(const Point& p)
   return v;
 }
 
+void PiercedMesh::RemoveLastVertices(int count)
+{
+  for (int i = 0; i < count; ++i)
+  {
+    this->Mesh.tds().delete_vertex(this->Vertices.back());
+    this->Vertices.pop_back();
+    this->Parts.RemoveLastPoint();
+  }
+}
+
 std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
   const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells)
 {

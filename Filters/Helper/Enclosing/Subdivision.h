@@ -44,6 +44,12 @@ public:
   /** Adds a point without splitting a part; returns its index. */
   int AddPoint(const Point& p);
 
+  /** Removes the point that was added last, which is no corner of a part. */
+  void RemoveLastPoint()
+  {
+    this->Points.pop_back();
+  }
+
   Change SplitPart(int part, int vertex);
 
   /** Splits all parts that share an edge. */

@@ -42,7 +42,7 @@ Pass MakePass(int index)
 /** The cells to be replaced, and their vertices as points of a cavity. */
 struct Region
 {
-  const std::vector<Cell>& Cells;
+  std::vector<Cell>& Cells;
   std::vector<Vertex> Vertices; ///< per point of the cavity; none for a point that has been added
   std::map<Vertex, int> Indices;
   Cavity Space;
@@ -75,7 +75,7 @@ private:
   void AddInfinite(int part, std::vector<Cell>& cells) const;
   void Grow(std::vector<Cell>& cells) const;
   void TryEdge(int part, int edge, const Pass& pass);
-  bool TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass);
+  bool TryCells(int part, int edge, std::vector<Cell>& cells, const Pass& pass);
   void AddVertices(int part, Region& region) const;
   Inexact::Point_3 PlaceInfinity(int part, const Cell& cell, int i) const;
   void AddFront(Region& region) const;
@@ -243,7 +243,11 @@ void Recoverer::AddPoints(int part, int maximumPoints, Region& region)
   region.Vertices.resize(region.Space.Points.size());
 }
 
-bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass)
+/**
+ * Fills the space of cells anew, with a part or an edge of it. If that fails, `cells` are those in
+ * the same place.
+ */
+bool Recoverer::TryCells(int part, int edge, std::vector<Cell>& cells, const Pass& pass)
 {
   Region region{ cells, {}, {}, {} };
   this->AddVertices(part, region);
@@ -268,28 +272,33 @@ bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, con
 /** Replaces the cells, unless some cell may not be there then. Returns whether it did. */
 bool Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region)
 {
-  std::vector<std::array<Vertex, 4>> made;
+  std::vector<std::array<Vertex, 4>> before, made;
+  for (const Cell& cell : region.Cells)
+  {
+    before.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
+  }
+  int added = 0;
   for (const Filling::Tetrahedron& cell : cells)
   {
     auto& corners = made.emplace_back();
     for (int i = 0; i < 4; ++i)
     {
       Vertex& v = region.Vertices[cell[i]];
-      v = v == Vertex() ? this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]])) : v;
+      if (v == Vertex())
+      {
+        v = this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]]));
+        ++added;
+      }
       corners[i] = v;
     }
-  }
-  std::vector<std::array<Vertex, 4>> before;
-  for (const Cell& cell : region.Cells)
-  {
-    before.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
   }
   const std::vector<Cell> now = this->Mesh.Refill(region.Cells, made);
   const bool good = std::all_of(now.begin(), now.end(),
     [&](const Cell& cell) { return this->IsInfinite(cell) || this->MayExist(cell); });
   if (!good)
   {
-    this->Mesh.Refill(now, before);
+    region.Cells = this->Mesh.Refill(now, before);
+    this->Mesh.RemoveLastVertices(added);
   }
   return good;
 }

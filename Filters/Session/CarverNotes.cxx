@@ -48,9 +48,9 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
     notes.push_back(text.str());
   }
   const carving::Tetrahedralization& result = reply.Result;
-  if (!result.Kept.empty())
+  const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
+  if (kept > 0)
   {
-    const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
     std::ostringstream text;
     text << "The mesh is only enclosed: " << 100.0 * reply.MetShare << " % of its area is met. "
          << kept << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance

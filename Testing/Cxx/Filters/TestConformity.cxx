@@ -120,6 +120,19 @@ TEST(Conformity, NotesEveryAttempt)
   EXPECT_TRUE(Has(GetNotes(carver), "An attempt failed. Snapping: on a grid of"));
 }
 
+// ENCLOSING meets a mesh without crossings as a whole, and no note calls it only enclosed.
+TEST(Conformity, EnclosingMeetsACleanMesh)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  const auto torus = ToPolyData(models::Torus(1.0, 0.4, 12, 8));
+  Carve(carver, torus);
+  EXPECT_EQ(GetFieldValue(LastLevel(carver), "MetShare"), 1.0);
+  EXPECT_EQ(GetFieldValue(LastLevel(carver), "KeptDistance"), 0.0);
+  EXPECT_EQ(LastLevel(carver)->GetNumberOfPolys(), torus->GetNumberOfPolys());
+  EXPECT_FALSE(Has(GetNotes(carver), "The mesh is only enclosed"));
+}
+
 // With AppendInput, a mesh that is only enclosed follows as given, with its data.
 TEST(Conformity, AppendsTheInputOnRequest)
 {

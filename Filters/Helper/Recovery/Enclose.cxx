@@ -7,6 +7,7 @@
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace carving::helper
@@ -85,7 +86,11 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
   };
   const auto steps = [&](std::ptrdiff_t perFacet)
-  { return 100000 + perFacet * static_cast<std::ptrdiff_t>(input.Facets.size()); };
+  {
+    const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
+    constexpr std::ptrdiff_t many = 60000000; // they take some seconds
+    return 100000 + std::max(100 * facets, std::min(perFacet * facets, many));
+  };
   RecoveryLimits limits = { steps(300), tolerance > 0.0 }; // enough for a clean mesh
   auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
   Recover(*mesh, limits, part(0.1, 0.4));

@@ -15,7 +15,7 @@ namespace carving
 namespace
 {
 
-// Increment the last digit whenever the layout changes: host and helper must be of the same build.
+// Change the last character whenever the layout changes: host and helper must be of the same build.
 constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'A' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'A' };
 

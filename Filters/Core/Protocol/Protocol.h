@@ -154,10 +154,10 @@ struct Reply
   std::string Attempts;      ///< a line per failed attempt, with the reason
   std::string Limits;        ///< a line per limit that ended an attempt
   double KeptDistance = 0.0; ///< in enclosing mode: the distance of kept tetrahedra from M, to 5 %
-  double MetShare = 1.0;     ///< in enclosing mode: the share of M's area that consists of faces
-  int PointsAdded = 0;       ///< in enclosing mode: by refinement
-  int InteriorDropped = 0;   ///< triangles with solid on both sides that were omitted
-  int SolidMatters = 0;      ///< nonzero if the result may depend on the solid rule
+  double MetShare = 1.0;   ///< in enclosing mode: the share of M's area that pierces no tetrahedron
+  int PointsAdded = 0;     ///< in enclosing mode: by refinement and recovery
+  int InteriorDropped = 0; ///< triangles with solid on both sides that were omitted
+  int SolidMatters = 0;    ///< nonzero if the result may depend on the solid rule
   double SnapDistance = 0.0; ///< the largest displacement of a point of M by snapping
   /**
    * Pairs of triangles that intersected outside of shared vertices and edges after cleaning. In the

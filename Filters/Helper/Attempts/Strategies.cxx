@@ -139,7 +139,7 @@ bool StrategyRun::TryExact()
   }
   this->Host.End();
   this->Host.Begin(Stage::Tetrahedralize);
-  // Where parts crossed, rounded points make slivers that recovery cannot get past.
+  // Recovery leaves too many triangles of a mesh whose crossings have been resolved.
   const bool isClean = this->TheReply.IntersectingPairs == 0;
   return this->TryOrders("TetGen -pcY", 0, 1, SurfacePoints::None) ||
     (isClean && this->TryRecovery()) ||

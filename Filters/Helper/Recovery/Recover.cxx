@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -30,13 +31,16 @@ struct Pass
   std::ptrdiff_t Steps; ///< in each cavity
 };
 
+constexpr Pass PassesWithoutPoints[] = { { false, 0, 0, 4000 }, { true, 1, 0, 20000 },
+  { true, 2, 0, 100000 } };
+constexpr int NumberWithoutPoints = static_cast<int>(std::size(PassesWithoutPoints));
+constexpr int NumberOfPasses = 30;
+
 Pass MakePass(int index)
 {
   // Draws of points differ from pass to pass; their number matters less.
-  return index == 0 ? Pass{ false, 0, 0, 4000 }
-    : index == 1    ? Pass{ true, 1, 0, 20000 }
-    : index == 2    ? Pass{ true, 2, 0, 100000 }
-                    : Pass{ true, 2, 2 + index % 4, 100000 };
+  return index < NumberWithoutPoints ? PassesWithoutPoints[index]
+                                     : Pass{ true, 2, 2 + index % 4, 100000 };
 }
 
 /** The cells to be replaced, and their vertices as points of a cavity. */
@@ -355,8 +359,7 @@ std::size_t Recover(
     }
   }
   Recoverer recoverer(mesh, limits);
-  constexpr int passesWithoutPoints = 3, maximumPasses = 30;
-  const int passes = limits.MayAddPoints ? maximumPasses : passesWithoutPoints;
+  const int passes = limits.MayAddPoints ? NumberOfPasses : NumberWithoutPoints;
   for (int index = 0; index < passes && !missing.empty() && recoverer.HasStepsLeft(); ++index)
   {
     const Pass pass = MakePass(index);

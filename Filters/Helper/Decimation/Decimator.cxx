@@ -29,14 +29,15 @@ constexpr double Shares[] = { 1.0, 0.98, 0.7, 0.0 };
 
 } // namespace
 
-Decimator::Decimator(
-  SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& distance, bool nested)
+Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle,
+  const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart, bool nested)
   : Surface(std::move(surface))
   , History(this->Surface)
   , Collisions(this->Surface)
   , Queue(this->Surface)
   , M(obstacle)
-  , Distance(distance)
+  , FromM(fromM)
+  , FromStart(fromStart)
   , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
   , Quadrics(this->Surface.num_vertices())
@@ -215,16 +216,18 @@ void Decimator::CollapseOrDefer(HalfEdge edge, const Star& star, const LocalErro
 }
 
 /**
- * The quadric error, or the integral of the squared distance from M over the new faces if that is
- * greater, with their largest distance everywhere. Quadrics know planes only: where parts of M end, or a gap is bridged, a vertex on all
- * planes can be far from M.
+ * The quadric error, or the integral of the squared distance from the surface as given over the new
+ * faces if that is greater, with their largest distance everywhere. Quadrics know planes only:
+ * where parts of the surface end, or a gap is bridged, a vertex on all planes can be far away. The
+ * distance from M would not do: where the given surface is far from M itself, collapses that change
+ * little would cost most.
  */
 double Decimator::CostOf(const Star& star, const LocalError& error, const Point& w) const
 {
-  double farthest = this->Distance.OfPoint(w), area = 0.0;
+  double farthest = this->FromStart.OfPoint(w), area = 0.0;
   for (const auto& [a, b] : star.Link)
   {
-    farthest = std::max(farthest, this->Distance.OfPoint((a + b + w) / 3.0));
+    farthest = std::max(farthest, this->FromStart.OfPoint((a + b + w) / 3.0));
     area += Length(Cross(b - a, w - a)) / 2.0;
   }
   return std::max(error.At(w), area * farthest * farthest);
@@ -274,8 +277,8 @@ bool Decimator::IsWithinErrorBound(const Star& star, const Point& w) const
     std::all_of(star.Link.begin(), star.Link.end(),
       [&](const std::array<Point, 2>& edge)
       {
-        return this->Distance.Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound)
-                 .Upper <= this->ErrorBound;
+        return this->FromM.Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound).Upper <=
+          this->ErrorBound;
       });
 }
 

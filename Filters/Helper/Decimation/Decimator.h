@@ -34,11 +34,11 @@ class Decimator
 {
 public:
   /**
-   * `obstacle` is M, which `surface` encloses. This and `distance`, from M, must outlive this
-   * object.
+   * `obstacle` is M, which `surface` encloses. This and the distances, from M and from `surface` as
+   * given, must outlive this object.
    */
-  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& distance,
-    bool nested);
+  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& fromM,
+    const FaceDistance<3>& fromStart, bool nested);
 
   /** No face that a collapse makes may be farther from M. Bounds may only rise. */
   void SetErrorBound(double bound)
@@ -91,7 +91,8 @@ private:
   CollisionSearch Collisions; ///< of the surface with itself
   CollapseQueue Queue;
   Obstacle M;
-  const FaceDistance<3>& Distance; ///< from M
+  const FaceDistance<3>& FromM;
+  const FaceDistance<3>& FromStart; ///< from the surface before the first collapse
   Placement Place;
   bool Nested;
   double ErrorBound = std::numeric_limits<double>::infinity();

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace carving::helper
@@ -111,8 +112,14 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
   {
     return "The surface has no triangle with an area.";
   }
-  const FaceDistance<3> distance(inside);
-  Decimator decimator(AsSurfaceMesh(original), inside, distance, options.Nested);
+  const FaceDistance<3> fromM(inside);
+  std::optional<FaceDistance<3>> fromGiven;
+  if (&given != &mesh)
+  {
+    fromGiven.emplace(original);
+  }
+  Decimator decimator(
+    AsSurfaceMesh(original), inside, fromM, fromGiven ? *fromGiven : fromM, options.Nested);
   const bool byError = options.Type == DecimationTarget::ErrorBound;
   const double all = std::log(static_cast<double>(original.Points.size()));
   for (const double target : options.Targets)
@@ -146,7 +153,7 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     {
       return "stopped";
     }
-    const double error = MeasureError(decimator.GetSurface(), distance);
+    const double error = MeasureError(decimator.GetSurface(), fromM);
     result.Surfaces.push_back({ decimator.GetHistory().GetNumberOfCollapses(),
       byError ? error <= target : reached, error });
   }

@@ -254,6 +254,32 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
   }
 }
 
+// A lens keeps its rim around a ring, which is far from the middle of the lens: with 40 vertices, the
+// rim is at least as round as a regular polygon of 16 sides.
+TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)
+{
+  const auto flattened = [](TriangleMesh mesh)
+  {
+    for (Point& p : mesh.Points)
+    {
+      p[2] *= 0.01;
+    }
+    return mesh;
+  };
+  const TriangleMesh lens = flattened(models::Sphere(3));
+  const TriangleMesh ring = flattened(models::Torus(0.9, 0.08, 64, 8));
+  Decimation decimation;
+  ASSERT_EQ(
+    DecimateEnclosing(lens, ring, { DecimationTarget::Vertices, { 40 }, false }, decimation), "");
+  const std::vector<Result> results = GetResults(decimation);
+  ASSERT_EQ(results.size(), 1u);
+  const double pi = std::acos(-1.0);
+  for (const Point& p : results[0].Mesh.Points)
+  {
+    EXPECT_LE(Length(p), 1.0 / std::cos(pi / 16));
+  }
+}
+
 // A real mesh is enclosed at a tenth of its vertices.
 TEST(Decimation, EnclosesAnElephant)
 {

@@ -50,6 +50,9 @@ static_assert(IsSame(Filter::LONGEST_EDGE, PriorityMeasure::LongestEdge) &&
 static_assert(IsSame(Filter::NONZERO_WINDING, SolidRule::NonzeroWinding) &&
   IsSame(Filter::EVEN_ODD, SolidRule::EvenOdd) &&
   IsSame(Filter::SURFACE_ONLY, SolidRule::SurfaceOnly));
+static_assert(IsSame(Filter::TETGEN, carving::Strategy::TetGen) &&
+  IsSame(Filter::RECOVER, carving::Strategy::Recover) &&
+  IsSame(Filter::AUTO, carving::Strategy::Auto));
 static_assert(IsSame(Filter::EXACT, Conformity::Exact) &&
   IsSame(Filter::ENCLOSING, Conformity::Enclosing) && IsSame(Filter::AUTO, Conformity::Auto));
 static_assert(
@@ -207,6 +210,7 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.Initial = static_cast<carving::InitialApproximation>(this->InitialApproximation);
   settings.Solid = static_cast<carving::SolidRule>(this->SolidRule);
   settings.Conformity = static_cast<carving::Conformity>(this->Conformity);
+  settings.Strategy = static_cast<carving::Strategy>(this->Strategy);
   settings.EnclosingTolerance = this->EnclosingTolerance;
   settings.SnapTolerance = this->SnapTolerance;
   settings.AppendInput = this->AppendInput;

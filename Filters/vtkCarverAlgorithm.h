@@ -67,6 +67,13 @@ public:
     AUTO = 2
   };
 
+  /** How triangles of M become faces of tetrahedra. AUTO is a third choice. Not in the paper. */
+  enum Strategies
+  {
+    TETGEN = 0,
+    RECOVER = 1
+  };
+
   /** The number of sides that folds show. AUTO is a third choice. */
   enum FoldSides
   {
@@ -263,13 +270,29 @@ public:
 
   ///@{
   /**
+   * The attempts that Conformity makes before a mesh is only enclosed. Without effect in ENCLOSING
+   * mode, which never runs TetGen and always recovers, and on contours.
+   * - TETGEN: those of TetGen.
+   * - RECOVER: recovery in a Delaunay tetrahedralization alone. TetGen is not run. A mesh that does
+   *   not cross itself is mostly met as a whole, and no vertex is added on its triangles; where
+   *   crossings had to be resolved, recovery mostly fails.
+   * - AUTO (default): TetGen and, on a mesh that does not cross itself, recovery where TetGen's
+   *   first attempt fails.
+   */
+  vtkSetClampMacro(Strategy, int, TETGEN, AUTO);
+  vtkGetMacro(Strategy, int);
+  ///@}
+
+  ///@{
+  /**
    * The distance that the tetrahedra that a mesh pierces, which are never carved, may reach from
    * the mesh in ENCLOSING mode, as a share of the diagonal of the mesh's bounding box. Where they
    * reach farther, vertices are added on the mesh's triangles and near them until the tolerance
    * holds, but at most 10 for each of the mesh's own vertices, plus 100,000. The array
-   * `KeptDistance` of the field data has the distance that has been reached, and `MetShare` the
-   * share of the mesh's area that is met exactly. Range 0 to 1, default 0.02. With 0, no vertex is
-   * added, and levels have vertices of the mesh only.
+   * `KeptDistance` of the field data has the distance that has been reached, `KeptDistance99` the
+   * distance of all but a hundredth of the tetrahedra's surface, `KeptDistanceMean` the mean over
+   * this surface, and `MetShare` the share of the mesh's area that is met exactly. Range 0 to 1,
+   * default 0.02. With 0, no vertex is added, and levels have vertices of the mesh only.
    */
   void SetEnclosingTolerance(double value)
   {
@@ -503,6 +526,7 @@ protected:
   int MaximumVoids = -1;
   int SolidRule = NONZERO_WINDING;
   int Conformity = AUTO;
+  int Strategy = AUTO;
   double EnclosingTolerance = 0.02;
   double SnapTolerance = 0.0;
   bool AppendInput = false;

@@ -43,6 +43,10 @@ std::vector<vtkCarverProperty> MakeProperties()
       "How a mesh is treated that TetGen cannot tetrahedralize. exact: as an error. enclosing: "
       "TetGen is not used for any mesh; all levels enclose the mesh, and the last one is not the "
       "mesh itself. auto: exact, and enclosing where exact fails." },
+    { NAMED(Strategy), { "TETGEN", "RECOVER", "AUTO" }, 0, 0, NotStored,
+      "How the mesh's triangles become faces of tetrahedra: by TetGen, by recovery in a Delaunay "
+      "tetrahedralization, or by TetGen and, where it fails on a mesh that does not cross itself, "
+      "by recovery." },
     { NAMED(EnclosingTolerance), NoChoices, 0.0, 1.0, Stored,
       "The distance that the uncarvable tetrahedra may reach from a mesh that is only enclosed, as "
       "a share of the mesh's diagonal. Vertices are added until the limit holds. 0: no vertex is "

@@ -150,9 +150,9 @@ int vtkEnclosingDecimation::RequestData(
   carving::Reply reply;
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, reply,
-    [this](carving::Stage, double fraction)
+    [this](const carving::WorkProgress& progress)
     {
-      this->UpdateProgress(fraction);
+      this->UpdateProgress(progress.Fraction);
       return !IsAborted(this);
     },
     error);

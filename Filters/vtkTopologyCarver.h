@@ -38,8 +38,9 @@
  * - field data, on how the level was made: `Step`; `Kind`, "carved", "simplified" (see
  *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the
  *   mesh was tetrahedralized (see below); `KeptDistance`, only of a mesh that is enclosed: the
- *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `MetShare`, likewise: the
- *   share of the mesh's area that pierces no tetrahedron, so that the last level consists of it
+ *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `KeptDistance99` and
+ *   `KeptDistanceMean`, likewise: the distance of all but a hundredth of their surface, parts of
+ *   the mesh apart, and the mean over this surface; `MetShare`, likewise: the share of the mesh's area that pierces no tetrahedron, so that the last level consists of it
  *   there; `SnapDistance`, only of a snapped mesh: the largest distance that a point was moved.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
@@ -114,6 +115,7 @@
  * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1;
  * - Conformity, except from AUTO to EXACT if the mesh was not only enclosed and no attempt reached
  *   a limit;
+ * - Strategy;
  * - EnclosingTolerance, if the mesh is only enclosed;
  * - SnapTolerance, if the mesh was snapped, or was only enclosed in AUTO mode;
  * - SolidRule, if the first attempts failed;

@@ -65,14 +65,14 @@ void ShowProgress(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* filter = static_cast<vtkAlgorithm*>(caller);
   const char* stage = filter->GetProgressText();
-  std::fprintf(stderr, "\r%3.0f %% %-16s", 100.0 * filter->GetProgress(), stage ? stage : "");
+  std::fprintf(stderr, "\r%3.0f %% %-60s", 100.0 * filter->GetProgress(), stage ? stage : "");
 }
 
 void EraseProgress()
 {
   if (isatty(STDERR_FILENO))
   {
-    std::fprintf(stderr, "\r%22s\r", "");
+    std::fprintf(stderr, "\r%66s\r", "");
   }
 }
 

@@ -77,8 +77,9 @@ void FillFieldData(const carving::Profile& profile, int step, const char* kind, 
   AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::NewVertices, newVertices);
   AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::Triangles, numberOfFaces);
   AddFieldValue<vtkStringArray>(fieldData, LevelArrays::Kind, kind);
-  for (const char* name : { StreamArrays::Strategy, StreamArrays::KeptDistance,
-         StreamArrays::MetShare, StreamArrays::SnapDistance })
+  for (const char* name :
+    { StreamArrays::Strategy, StreamArrays::KeptDistance, StreamArrays::KeptDistance99,
+      StreamArrays::KeptDistanceMean, StreamArrays::MetShare, StreamArrays::SnapDistance })
   {
     if (vtkAbstractArray* array = grid->GetFieldData()->GetAbstractArray(name))
     {

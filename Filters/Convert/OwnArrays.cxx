@@ -20,15 +20,15 @@ constexpr const char* PointNames[] = { StreamArrays::OriginalPoints, StreamArray
 /** Field data of levels, streams and the whole of port 0. */
 constexpr const char* FieldNames[] = { StreamArrays::Step, LevelArrays::Vertices,
   LevelArrays::NewVertices, LevelArrays::Triangles, LevelArrays::Kind, StreamArrays::Strategy,
-  StreamArrays::KeptDistance, StreamArrays::MetShare, StreamArrays::SnapDistance,
-  LevelArrays::FeatureSize, LevelArrays::Error, LevelArrays::Components, LevelArrays::Tunnels,
-  LevelArrays::Voids, LevelArrays::SurfaceComponents, LevelArrays::SurfaceGenus,
-  StreamArrays::Measure, StreamArrays::BothFoldSides, StreamArrays::ProfileVertices,
-  StreamArrays::ProfileTriangles, StreamArrays::ProfileError, StreamArrays::ProfileVolume,
-  StreamArrays::ProfileComponents, StreamArrays::ProfileTunnels, StreamArrays::ProfileVoids,
-  StreamArrays::ProfilePriority, StreamArrays::SimplifiedType, StreamArrays::SimplifiedSteps,
-  StreamArrays::SimplifiedPoints, StreamArrays::SimplifiedFaces, StreamArrays::SimplifiedLevels,
-  NotesArray };
+  StreamArrays::KeptDistance, StreamArrays::KeptDistance99, StreamArrays::KeptDistanceMean,
+  StreamArrays::MetShare, StreamArrays::SnapDistance, LevelArrays::FeatureSize, LevelArrays::Error,
+  LevelArrays::Components, LevelArrays::Tunnels, LevelArrays::Voids, LevelArrays::SurfaceComponents,
+  LevelArrays::SurfaceGenus, StreamArrays::Measure, StreamArrays::BothFoldSides,
+  StreamArrays::ProfileVertices, StreamArrays::ProfileTriangles, StreamArrays::ProfileError,
+  StreamArrays::ProfileVolume, StreamArrays::ProfileComponents, StreamArrays::ProfileTunnels,
+  StreamArrays::ProfileVoids, StreamArrays::ProfilePriority, StreamArrays::SimplifiedType,
+  StreamArrays::SimplifiedSteps, StreamArrays::SimplifiedPoints, StreamArrays::SimplifiedFaces,
+  StreamArrays::SimplifiedLevels, NotesArray };
 
 /** Renames arrays, each by a copy, and adds "old" as "new" to the list. */
 template <std::size_t N>

@@ -146,6 +146,8 @@ void CheckPassedOn(vtkUnstructuredGrid* grid, ArrayReader& reader)
     }
   };
   checkIfThere(fieldData, StreamArrays::KeptDistance, 1);
+  checkIfThere(fieldData, StreamArrays::KeptDistance99, 1);
+  checkIfThere(fieldData, StreamArrays::KeptDistanceMean, 1);
   checkIfThere(fieldData, StreamArrays::MetShare, 1);
   checkIfThere(fieldData, StreamArrays::SnapDistance, 1);
   if (fieldData->HasArray(StreamArrays::SnapDistance)) // else the input itself has such point data

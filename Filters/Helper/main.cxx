@@ -56,7 +56,7 @@ public:
     if (fraction >= this->LastReported + 0.01)
     {
       this->LastReported = fraction;
-      std::fputs(ProgressLine(this->Current, fraction).c_str(), stderr);
+      std::fputs(ProgressLine({ this->Current, fraction, this->Out.Strategy }).c_str(), stderr);
     }
     return true;
   }

@@ -86,7 +86,7 @@ public:
         this->Line += data[i];
         continue;
       }
-      if (carving::ParseProgress(this->Line, this->Stage, this->Fraction))
+      if (carving::ParseProgress(this->Line, this->Progress))
       {
         goOn = goOn && this->Report();
       }
@@ -101,14 +101,15 @@ public:
 
   bool Report() const
   {
-    return !this->Observe || this->Observe(this->Stage, this->Fraction);
+    return !this->Observe || this->Observe(this->Progress);
   }
 
   /** The end of an error message: the stage of the work, and the last words of the program. */
   std::string LastWords()
   {
     this->Keep();
-    std::string words = std::string(" in the stage: ") + carving::StageName(this->Stage) + ".";
+    std::string words =
+      std::string(" in the stage: ") + carving::StageName(this->Progress.Stage) + ".";
     if (!this->Words.empty())
     {
       words += " Its last output: " + this->Words;
@@ -132,8 +133,7 @@ private:
   }
 
   const HelperProcess::Observer& Observe;
-  carving::Stage Stage = carving::Stage::Clean;
-  double Fraction = 0.0;
+  carving::WorkProgress Progress;
   std::string Line;
   std::string Words;
 };

@@ -22,8 +22,8 @@ enum class Outcome
   Aborted
 };
 
-/** Is called with a stage and the fraction of the stage that is done. Returns false to abort. */
-using Observer = std::function<bool(carving::Stage, double)>;
+/** Is called with the progress of the work. Returns false to abort. */
+using Observer = std::function<bool(const carving::WorkProgress&)>;
 
 /**
  * Sends the job to carving-helper and reads its reply. The environment variable

@@ -54,7 +54,8 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
     std::ostringstream text;
     text << "The mesh is only enclosed: " << 100.0 * reply.MetShare << " % of its area is met. "
          << kept << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
-         << " from it. To keep them small, " << reply.PointsAdded
+         << " from it; 99 % of their surface is within " << reply.KeptDistance99 << ", the mean is "
+         << reply.KeptDistanceMean << ". To keep them small, " << reply.PointsAdded
          << " vertices were added to the mesh's own " << result.Unresolved.Points.size() << ".";
     notes.push_back(text.str());
   }

@@ -5,6 +5,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <string>
 
 namespace
 {
@@ -13,8 +14,8 @@ constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "meas
   "output" };
 
 /** The fraction of an update at which each stage begins; typical for a mesh of medium size. */
-constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.8, 0.84, 0.86, 0.9,
-  0.93, 0.93, 1.0 };
+constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.2, 0.8, 0.84, 0.86,
+  0.9, 0.93, 0.93, 1.0 };
 
 } // namespace
 
@@ -40,12 +41,13 @@ void CarverStages::Start(int numberOfLeaves)
   this->LeavesDone = 0;
 }
 
-bool CarverStages::Report(int stage, double fraction)
+bool CarverStages::Report(int stage, double fraction, const std::string& attempt)
 {
   const double begin = StageBegins[stage];
   const double ofLeaf = begin + fraction * (StageBegins[stage + 1] - begin);
   const double ofAll = (this->LeavesDone + ofLeaf) / this->NumberOfLeaves;
-  this->Filter->SetProgressText(GetCarverStageName(stage));
+  const std::string name = GetCarverStageName(stage);
+  this->Filter->SetProgressText((attempt.empty() ? name : name + ": " + attempt).c_str());
   // Each round of resolving starts at 0 again, but progress never falls.
   this->Filter->UpdateProgress(std::max(ofAll, this->Filter->GetProgress()));
   return !IsAborted(this->Filter);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <chrono>
+#include <string>
 
 class vtkAlgorithm;
 
@@ -46,10 +47,10 @@ public:
   }
 
   /**
-   * Reports that a fraction of a stage of the current leaf is done. Returns false if the filter is
-   * to stop.
+   * Reports that a fraction of a stage of the current leaf is done, in the text of the filter's
+   * progress with the attempt that is being made, if any. Returns false if the filter is to stop.
    */
-  bool Report(int stage, double fraction);
+  bool Report(int stage, double fraction, const std::string& attempt = {});
 
   /** Wall-clock seconds since Start, summed over the leaves. */
   double GetSeconds(int stage) const

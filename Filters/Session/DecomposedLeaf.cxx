@@ -72,8 +72,11 @@ bool DecomposedLeaves<D>::RunHelper(DecomposedLeaf<D>& leaf, std::string& error)
   Kind<D>::Fill(job, leaf.Input, leaf.Initial);
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, leaf.Reply,
-    [this](carving::Stage stage, double fraction)
-    { return this->Stages.Report(static_cast<int>(stage), fraction); },
+    [this](const carving::WorkProgress& progress)
+    {
+      return this->Stages.Report(
+        static_cast<int>(progress.Stage), progress.Fraction, progress.Attempt);
+    },
     error);
   this->Stages.MoveToHelper(leaf.Reply.StageSeconds);
   return outcome != HelperProcess::Outcome::Aborted;

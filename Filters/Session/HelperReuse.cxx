@@ -51,5 +51,6 @@ bool WouldAnswerAlike(const carving::Reply& reply, const HelperSettings& before,
   const bool memoryAlike =
     now.MemoryLimit == before.MemoryLimit || (moreMemory && reply.Limits.empty());
   return now.Initial == before.Initial && memoryAlike &&
+    (dimension == 2 || now.Strategy == before.Strategy) &&
     (dimension == 2 || AttemptsAlike(reply, before, now));
 }

@@ -104,6 +104,9 @@ void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>
   if (!reply.Result.Kept.empty())
   {
     AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, reply.KeptDistance);
+    AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance99, reply.KeptDistance99);
+    AddFieldValue<vtkDoubleArray>(
+      fieldData, StreamArrays::KeptDistanceMean, reply.KeptDistanceMean);
     AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::MetShare, reply.MetShare);
   }
   if (reply.SnapDistance > 0.0)

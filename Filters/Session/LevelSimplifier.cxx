@@ -117,8 +117,8 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   carving::Reply reply;
   const HelperProcess::Outcome outcome = HelperProcess::Run(
     job, reply,
-    [&](carving::Stage, double fraction)
-    { return this->Stages.Report(SimplifyStage, begin + (end - begin) * fraction); },
+    [&](const carving::WorkProgress& progress)
+    { return this->Stages.Report(SimplifyStage, begin + (end - begin) * progress.Fraction); },
     trial.Error);
   trial.Result = std::move(reply.Decimation);
   trial.Error += reply.Error;

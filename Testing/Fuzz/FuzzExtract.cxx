@@ -118,6 +118,8 @@ void FillGrid(Bytes& bytes, const Carving<D>& carved, vtkUnstructuredGrid* grid)
   }
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, "a strategy");
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance, 0.5);
+  AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistance99, 0.5);
+  AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::KeptDistanceMean, 0.5);
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::MetShare, 0.5);
   AddFieldValue<vtkDoubleArray>(fieldData, StreamArrays::SnapDistance, 0.25);
 }

@@ -79,11 +79,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     default:
     {
-      Stage stage = Stage::Clean;
-      double fraction = 0.0;
-      if (ParseProgress(std::string(bytes.Data(), bytes.Size()), stage, fraction))
+      WorkProgress progress;
+      if (ParseProgress(std::string(bytes.Data(), bytes.Size()), progress))
       {
-        StageName(stage);
+        StageName(progress.Stage);
       }
       break;
     }

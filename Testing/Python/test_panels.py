@@ -97,6 +97,7 @@ class TestPanels(unittest.TestCase):
             "SetDepthMeasure": "HIERARCHY DISTANCE",
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",
+            "SetStrategy": "TETGEN RECOVER AUTO",
             "SetLevelSimplification": "SUBSET ENCLOSING_COLLAPSE",
             "SetKeepBothFoldSides": "ONE_SIDE BOTH_SIDES AUTO",
             "SetTargetType": "VERTICES TRIANGLES ERROR_BOUND",

@@ -16,8 +16,8 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'A' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'A' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'B' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'B' };
 
 class Writer
 {
@@ -124,6 +124,7 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Solid);
   archive.Value(job.Initial);
   archive.Value(job.Conformity);
+  archive.Value(job.Strategy);
   archive.Value(job.EnclosingTolerance);
   archive.Value(job.SnapTolerance);
   archive.Value(job.TimeLimit);
@@ -189,6 +190,8 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Array(reply.Attempts);
   archive.Array(reply.Limits);
   archive.Value(reply.KeptDistance);
+  archive.Value(reply.KeptDistance99);
+  archive.Value(reply.KeptDistanceMean);
   archive.Value(reply.MetShare);
   archive.Value(reply.PointsAdded);
   archive.Value(reply.InteriorDropped);
@@ -215,7 +218,8 @@ std::string FindMistake(const Decimation& decimation)
 
 const char* StageName(Stage stage)
 {
-  static constexpr const char* names[NumberOfStages] = { "clean", "resolve", "tetrahedralize" };
+  static constexpr const char* names[NumberOfStages] = { "clean", "resolve", "attempts",
+    "tetrahedralize" };
   return names[static_cast<int>(stage)];
 }
 
@@ -251,6 +255,11 @@ std::string Read(const char* data, std::size_t size, Job& job)
     job.Conformity != Conformity::Auto)
   {
     return "the job wants an unknown conformity";
+  }
+  if (job.Strategy != Strategy::TetGen && job.Strategy != Strategy::Recover &&
+    job.Strategy != Strategy::Auto)
+  {
+    return "the job wants an unknown strategy";
   }
   if (job.Solid != SolidRule::NonzeroWinding && job.Solid != SolidRule::EvenOdd &&
     job.Solid != SolidRule::SurfaceOnly)
@@ -297,22 +306,26 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }
 
-std::string ProgressLine(Stage stage, double fraction)
+std::string ProgressLine(const WorkProgress& progress)
 {
   char line[64];
-  std::snprintf(line, sizeof(line), "@progress %d %.4f\n", static_cast<int>(stage), fraction);
-  return line;
+  std::snprintf(
+    line, sizeof(line), "@progress %d %.4f ", static_cast<int>(progress.Stage), progress.Fraction);
+  return line + progress.Attempt + '\n';
 }
 
-bool ParseProgress(const std::string& line, Stage& stage, double& fraction)
+bool ParseProgress(const std::string& line, WorkProgress& progress)
 {
-  int number = -1;
-  if (std::sscanf(line.c_str(), "@progress %d %lf", &number, &fraction) != 2 || number < 0 ||
-    number >= NumberOfStages)
+  int stage = -1, length = 0;
+  double fraction = 0.0;
+  if (std::sscanf(line.c_str(), "@progress %d %lf%n", &stage, &fraction, &length) != 2 ||
+    stage < 0 || stage >= NumberOfStages)
   {
     return false;
   }
-  stage = static_cast<Stage>(number);
+  const std::size_t attempt = line.find_first_not_of(' ', length);
+  progress = { static_cast<Stage>(stage), fraction,
+    attempt == std::string::npos ? "" : line.substr(attempt) };
   return true;
 }
 

@@ -93,11 +93,20 @@ enum class Conformity : int
   Auto = 2       ///< yes if possible, else Enclosing
 };
 
+/** How the triangles of M become faces of tetrahedra, where they are to. */
+enum class Strategy : int
+{
+  TetGen = 0,  ///< by TetGen
+  Recover = 1, ///< by recovery in a Delaunay tetrahedralization. Not in the paper.
+  Auto = 2     ///< by TetGen, and by recovery where TetGen fails
+};
+
 /** The user's options of the helper's work. */
 struct HelperOptions
 {
   InitialApproximation Initial = InitialApproximation::ConvexHull;
   carving::Conformity Conformity = carving::Conformity::Exact;
+  carving::Strategy Strategy = carving::Strategy::Auto;
   /**
    * The largest distance of kept tetrahedra from M, as a fraction of the diagonal of M's bounds; 0:
    * unlimited.
@@ -114,7 +123,7 @@ struct HelperOptions
   bool operator==(const HelperOptions& other) const
   {
     return this->Initial == other.Initial && this->Conformity == other.Conformity &&
-      this->EnclosingTolerance == other.EnclosingTolerance &&
+      this->Strategy == other.Strategy && this->EnclosingTolerance == other.EnclosingTolerance &&
       this->SnapTolerance == other.SnapTolerance && this->TimeLimit == other.TimeLimit &&
       this->MemoryLimit == other.MemoryLimit;
   }
@@ -138,10 +147,19 @@ enum class Stage : int
 {
   Clean,
   Resolve,
+  Attempts, ///< those that failed, whatever they did
   Tetrahedralize
 };
-constexpr int NumberOfStages = 3;
+constexpr int NumberOfStages = 4;
 const char* StageName(Stage stage);
+
+/** How far the helper's work is. */
+struct WorkProgress
+{
+  carving::Stage Stage = carving::Stage::Clean;
+  double Fraction = 0.0; ///< of the stage
+  std::string Attempt;   ///< the strategy that is being tried, if any
+};
 
 struct Reply
 {
@@ -154,6 +172,8 @@ struct Reply
   std::string Attempts;      ///< a line per failed attempt, with the reason
   std::string Limits;        ///< a line per limit that ended an attempt
   double KeptDistance = 0.0; ///< in enclosing mode: the distance of kept tetrahedra from M, to 5 %
+  double KeptDistance99 = 0.0;   ///< the distance of all but a hundredth of their surface
+  double KeptDistanceMean = 0.0; ///< over their surface
   double MetShare = 1.0;   ///< in enclosing mode: the share of M's area that pierces no tetrahedron
   int PointsAdded = 0;     ///< in enclosing mode: by refinement and recovery
   int InteriorDropped = 0; ///< triangles with solid on both sides that were omitted
@@ -180,9 +200,9 @@ void Write(std::ostream& out, const Reply& reply);
 std::string Read(const char* data, std::size_t size, Job& job);
 std::string Read(const char* data, std::size_t size, Reply& reply);
 
-/** The line that reports the finished fraction of a stage, and its inverse. */
-std::string ProgressLine(Stage stage, double fraction);
-bool ParseProgress(const std::string& line, Stage& stage, double& fraction);
+/** The line that reports progress, with its end, and the inverse, of a line without its end. */
+std::string ProgressLine(const WorkProgress& progress);
+bool ParseProgress(const std::string& line, WorkProgress& progress);
 
 } // namespace carving
 

@@ -7,6 +7,8 @@
 #include "Helper/Exact/InitialSurface.h"
 #include "Helper/Recovery/RecoverAll.h"
 
+#include <chrono>
+
 namespace carving::helper
 {
 
@@ -15,6 +17,7 @@ Attempts::Attempts(const Job& job, Reply& reply, const StrategyHost& host)
   , TheReply(reply)
   , Host(host)
   , IsCustom(job.Initial == InitialApproximation::Custom)
+  , IsRecovery(job.Strategy == Strategy::Recover)
 {
 }
 
@@ -27,7 +30,14 @@ std::vector<Point> Attempts::FurtherPoints(const std::vector<Point>& points) con
 bool Attempts::TryInChild(const std::string& attempt, const std::string& subject,
   const Limits& limits, const std::function<bool()>& work)
 {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
   const Ending ending = RunInChildProcess(limits, work);
+  if (!ending.Mistake.empty())
+  {
+    this->TheReply.StageSeconds[static_cast<int>(Stage::Attempts)] +=
+      std::chrono::duration<double>(Clock::now() - start).count();
+  }
   if (!ending.Mistake.empty() && ending.Mistake != "failed")
   {
     this->Failures.Add(attempt, { subject + ending.Mistake, ending.ByLimit });
@@ -54,6 +64,7 @@ bool Attempts::TryOrders(
 
 bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
 {
+  this->Host.Begin(Stage::Tetrahedralize);
   Tetrahedralization& result = this->TheReply.Result;
   Shuffle(order, result.Surface);
   return this->WriteExact(
@@ -69,6 +80,7 @@ bool Attempts::TryRecovery()
   return this->TryInChild(this->TheReply.Strategy + ": ", "", limits,
     [&]
     {
+      this->Host.Begin(Stage::Tetrahedralize);
       return this->WriteExact(
         RecoverAll(this->FurtherPoints(result.Surface.Points), this->Host.Report, result));
     });
@@ -88,6 +100,7 @@ bool Attempts::WriteExact(const Ending& ending)
     this->TheReply.Error = RemoveOutsideOfInitial(result);
     if (!this->TheReply.Error.empty())
     {
+      this->Host.End();
       return this->WriteError();
     }
   }
@@ -108,7 +121,6 @@ bool Attempts::WriteResult()
 
 bool Attempts::WriteError()
 {
-  this->Host.End();
   return this->Host.Write();
 }
 

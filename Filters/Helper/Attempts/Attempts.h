@@ -45,7 +45,8 @@ protected:
   const Job& TheJob;
   Reply& TheReply;
   const StrategyHost& Host;
-  bool IsCustom; ///< C0 is given
+  bool IsCustom;   ///< C0 is given
+  bool IsRecovery; ///< TetGen is not tried
   Log Failures;
 
 private:

@@ -110,9 +110,10 @@ bool StrategyRun::TryAll()
   this->TheReply.Error = mayEnclose
     ? "The mesh could not even be enclosed. Raise TimeLimit or MemoryLimit if they are set. "
       "Attempts: "
-    : "TetGen cannot tetrahedralize the mesh. Repair or remove the parts that cross themselves or "
-      "nearly touch, set Conformity to AUTO, set SnapTolerance, or raise TimeLimit or MemoryLimit "
-      "if they are set. Attempts: ";
+    : std::string(this->IsRecovery ? "Recovery" : "TetGen") +
+      " cannot tetrahedralize the mesh. Repair or remove the parts that cross themselves or nearly "
+      "touch, set Conformity to AUTO, set SnapTolerance, or raise TimeLimit or MemoryLimit if they "
+      "are set. Attempts: ";
   this->TheReply.Error += Joined(this->TheReply.Attempts);
   return false;
 }
@@ -124,6 +125,7 @@ bool StrategyRun::TryExact()
   this->Host.Begin(Stage::Resolve);
   const std::string mistake = Resolve(surface, this->TheReply.IntersectingPairs, this->Host.Report,
     MaximumPairs(this->TheJob, surface.Facets.size()));
+  this->Host.End();
   if (!mistake.empty())
   {
     this->Failures.Add("Resolving: ", { mistake });
@@ -137,12 +139,15 @@ bool StrategyRun::TryExact()
       return this->WriteError();
     }
   }
-  this->Host.End();
-  this->Host.Begin(Stage::Tetrahedralize);
+  if (this->IsRecovery)
+  {
+    return this->TryRecovery();
+  }
   // Recovery leaves too many triangles of a mesh whose crossings have been resolved.
-  const bool isClean = this->TheReply.IntersectingPairs == 0;
+  const bool mayRecover =
+    this->TheJob.Strategy == Strategy::Auto && this->TheReply.IntersectingPairs == 0;
   return this->TryOrders("TetGen -pcY", 0, 1, SurfacePoints::None) ||
-    (isClean && this->TryRecovery()) ||
+    (mayRecover && this->TryRecovery()) ||
     this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||
     this->TryWithoutInterior() ||
     this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
@@ -178,6 +183,7 @@ std::string StrategyRun::CheckSnapped(const SnappedMesh& snapped, double toleran
 
 bool StrategyRun::TryGrid(const ResolvedMesh& given, double tolerance, double spacing)
 {
+  this->TheReply.Strategy.clear();
   this->Host.Begin(Stage::Resolve);
   SnappedMesh snapped;
   std::string mistake = Snap(
@@ -194,22 +200,22 @@ bool StrategyRun::TryGrid(const ResolvedMesh& given, double tolerance, double sp
   this->TheReply.Result.Surface = std::move(snapped.Mesh);
   this->TheReply.IntersectingPairs = snapped.IntersectingPairs;
   this->TheReply.SnapDistance = snapped.Distance;
-  this->Host.Begin(Stage::Tetrahedralize);
-  const bool written =
-    this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None);
-  this->Host.End();
-  return written;
+  return this->IsRecovery
+    ? this->TryRecovery()
+    : this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None);
 }
 
 bool StrategyRun::TryEnclosing()
 {
+  this->TheReply.Strategy = "Delaunay, enclosing";
   this->Host.Begin(Stage::Tetrahedralize);
   const ResolvedMesh input = std::move(this->TheReply.Result.Surface);
-  this->TheReply.Strategy = "Delaunay, enclosing";
   const std::vector<Point> further = this->FurtherPoints(input.Points);
   const Enclosure enclosure = Enclose(
     input, further, this->TheJob.EnclosingTolerance, this->Host.Report, this->TheReply.Result);
-  this->TheReply.KeptDistance = enclosure.KeptDistance;
+  this->TheReply.KeptDistance = enclosure.Distances.Maximum;
+  this->TheReply.KeptDistance99 = enclosure.Distances.Percentile99;
+  this->TheReply.KeptDistanceMean = enclosure.Distances.Mean;
   this->TheReply.MetShare = enclosure.MetShare;
   this->TheReply.PointsAdded = static_cast<int>(
     this->TheReply.Result.Surface.Points.size() - input.Points.size() - further.size());

@@ -2,6 +2,7 @@
 #include "Helper/Enclosing/Refine.h"
 
 #include "Core/Mesh/Vector.h"
+#include "Helper/Enclosing/ExposedFaces.h"
 
 #include <algorithm>
 #include <array>
@@ -16,29 +17,9 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Corners = SurfaceDistance::Corners;
 
-Corners FacePoints(const Cell& cell, int f)
-{
-  const Corners3 face = FaceOf(cell, f);
-  return { ToPoint(face[0]), ToPoint(face[1]), ToPoint(face[2]) };
-}
-
 Point CornerOf(const Cell& cell, int i)
 {
   return ToPoint(cell->vertex(i)->point());
-}
-
-/** A bound on the distance from M of any point of a pierced cell. */
-double LongestEdge(const Cell& cell)
-{
-  double longest = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int k = 0; k < i; ++k)
-    {
-      longest = std::max(longest, Length(CornerOf(cell, i) - CornerOf(cell, k)));
-    }
-  }
-  return longest;
 }
 
 double DistanceToCorners(const Cell& cell, const Point& p)
@@ -49,13 +30,6 @@ double DistanceToCorners(const Cell& cell, const Point& p)
     nearest = std::min(nearest, Length(p - CornerOf(cell, i)));
   }
   return nearest;
-}
-
-/** Whether a face of a pierced cell bounds the union of all pierced cells. */
-bool IsExposed(const PiercedMesh& mesh, const Cell& cell, int f)
-{
-  const Cell other = cell->neighbor(f);
-  return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
 }
 
 /** The intersection of a triangle with a cell, a convex polygon, except for rounding. */
@@ -298,22 +272,6 @@ bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
     }
   }
   return true;
-}
-
-double Reach(const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible)
-{
-  double reach = 0.0;
-  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    for (int f = 0; f < 4 && cell->info().IsPierced(); ++f)
-    {
-      if (IsExposed(mesh, cell, f) && LongestEdge(cell) > reach)
-      {
-        reach = distance.Farthest(FacePoints(cell, f), std::max(reach, negligible));
-      }
-    }
-  }
-  return reach;
 }
 
 } // namespace carving::helper

@@ -30,12 +30,6 @@ void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance
 bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
   const SurfaceDistance& distance, double tolerance);
 
-/**
- * The largest distance of a pierced tetrahedron's point from M, to within 5 %, but at least
- * `negligible`; 0 if no tetrahedron is pierced.
- */
-double Reach(const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible);
-
 } // namespace carving::helper
 
 #endif

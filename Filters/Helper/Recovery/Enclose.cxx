@@ -80,8 +80,8 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   const double length = Diagonal(input.Points);
   const SurfaceDistance distance(input);
   constexpr double negligible = 1e-4;
-  const auto reach = [&](const PiercedMesh& mesh)
-  { return Reach(mesh, distance, negligible * length); };
+  const auto measure = [&](const PiercedMesh& mesh)
+  { return MeasureKept(mesh, distance, negligible * length, length); };
   const auto part = [&](double begin, double end) {
     return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
   };
@@ -94,8 +94,8 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   RecoveryLimits limits = { steps(300), tolerance > 0.0 }; // enough for a clean mesh
   auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
   Recover(*mesh, limits, part(0.1, 0.4));
-  double kept = reach(*mesh);
-  if (tolerance > 0.0 && kept > tolerance * length)
+  KeptDistances kept = measure(*mesh);
+  if (tolerance > 0.0 && kept.Maximum > tolerance * length)
   {
     // No point can be put into a mesh after recovery, hence another one.
     mesh = std::make_unique<PiercedMesh>(input, further, part(0.4, 0.5));
@@ -106,7 +106,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     limits.MayExist = [&](const Cell& cell)
     { return IsExposedWithin(cell, *mesh, distance, bound); };
     Recover(*mesh, limits, part(0.8, 1.0));
-    kept = reach(*mesh);
+    kept = measure(*mesh);
   }
   result = {};
   result.Surface.PointSources = input.PointSources;

@@ -8,6 +8,7 @@
 #define carving_Enclose_h
 
 #include "Core/Mesh/Mesh.h"
+#include "Helper/Enclosing/ExposedFaces.h"
 
 #include <functional>
 #include <vector>
@@ -18,8 +19,8 @@ namespace carving::helper
 /** How far an enclosure is from M. */
 struct Enclosure
 {
-  double KeptDistance; ///< the largest distance of a kept tetrahedron's point from M, to within 5 %
-  double MetShare;     ///< the share of M's area that pierces no tetrahedron
+  KeptDistances Distances;
+  double MetShare; ///< the share of M's area that pierces no tetrahedron
 };
 
 /**

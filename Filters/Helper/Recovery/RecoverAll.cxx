@@ -14,7 +14,7 @@ Ending RecoverAll(const std::vector<Point>& further, const std::function<bool(do
 {
   const std::size_t facets = result.Surface.Facets.size();
   PiercedMesh mesh(result.Surface, further, [&](double done) { return progress(done / 2.0); });
-  const auto steps = 100000000 + 100 * static_cast<std::ptrdiff_t>(facets);
+  const auto steps = 5000000 + 1000 * static_cast<std::ptrdiff_t>(facets); // they take seconds
   const std::size_t missing =
     Recover(mesh, { steps, true }, [&](double done) { return progress((1.0 + done) / 2.0); });
   if (missing > 0)

@@ -22,7 +22,7 @@ Reply MakeReply()
   reply.Limits = "a limit\n";
   reply.IntersectingPairs = 7;
   reply.SnapDistance = 0.125;
-  reply.StageSeconds = { 0.25, 0.5, 1.0 };
+  reply.StageSeconds = { 0.25, 0.5, 0.75, 1.0 };
   // A tetrahedron, of which an edge collapses into a new point: two triangles are left.
   Decimation& decimation = reply.Decimation;
   decimation.Chain = { 4, 4, 1,
@@ -58,6 +58,7 @@ TEST(Protocol, RestoresAJob)
   job.Initial = InitialApproximation::Custom;
   job.Conformity = Conformity::Enclosing;
   job.EnclosingTolerance = 0.25;
+  job.Strategy = Strategy::Recover;
   job.SnapTolerance = 0.5;
   job.TimeLimit = 2.0;
   job.MemoryLimit = 3.0;
@@ -141,7 +142,7 @@ TEST(Protocol, RestoresAnError)
 {
   Reply reply;
   reply.Error = "it does not work";
-  reply.StageSeconds = { 0, 0, 0 };
+  reply.StageSeconds.assign(NumberOfStages, 0.0);
   const std::string bytes = Written(reply);
   Reply restored;
   ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
@@ -264,11 +265,18 @@ TEST(Protocol, RejectsCellsThatDoNotFit)
 // A line of progress is understood, any other line is not taken for one.
 TEST(Protocol, TellsProgressFromWords)
 {
-  Stage stage = Stage::Clean;
-  double fraction = 0.0;
-  EXPECT_TRUE(ParseProgress(ProgressLine(Stage::Resolve, 0.25), stage, fraction));
-  EXPECT_EQ(stage, Stage::Resolve);
-  EXPECT_EQ(fraction, 0.25);
-  EXPECT_FALSE(ParseProgress("Assertion failed", stage, fraction));
-  EXPECT_FALSE(ParseProgress("@progress 17 0.5", stage, fraction));
+  for (const char* attempt : { "", "TetGen -pcY, order 1" })
+  {
+    std::string line = ProgressLine({ Stage::Resolve, 0.25, attempt });
+    EXPECT_EQ(line.back(), '\n');
+    line.pop_back();
+    WorkProgress progress;
+    EXPECT_TRUE(ParseProgress(line, progress));
+    EXPECT_EQ(progress.Stage, Stage::Resolve);
+    EXPECT_EQ(progress.Fraction, 0.25);
+    EXPECT_EQ(progress.Attempt, attempt);
+  }
+  WorkProgress progress;
+  EXPECT_FALSE(ParseProgress("Assertion failed", progress));
+  EXPECT_FALSE(ParseProgress("@progress 17 0.5", progress));
 }

@@ -135,7 +135,8 @@ private:
   void Abort()
   {
     const char* stage = this->Filter->GetProgressText();
-    if ((this->Stage.empty() || (stage && this->Stage == stage)) && --this->Reports <= 0)
+    if ((this->Stage.empty() || (stage && std::string(stage).find(this->Stage) == 0)) &&
+      --this->Reports <= 0)
     {
       this->Filter->SetAbortExecute(1);
     }

@@ -30,6 +30,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStream(bool plane)
   auto stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
   stream->DeepCopy(carver->GetOutputDataObject(1));
   AddFieldValue<vtkDoubleArray>(stream->GetFieldData(), "KeptDistance", 0.0);
+  AddFieldValue<vtkDoubleArray>(stream->GetFieldData(), "KeptDistance99", 0.0);
+  AddFieldValue<vtkDoubleArray>(stream->GetFieldData(), "KeptDistanceMean", 0.0);
   AddFieldValue<vtkDoubleArray>(stream->GetFieldData(), "MetShare", 1.0);
   AddFieldValue<vtkDoubleArray>(stream->GetFieldData(), "SnapDistance", 0.0);
   auto moved = MakeArray<vtkDoubleArray>("SnapDistance", stream->GetNumberOfPoints());

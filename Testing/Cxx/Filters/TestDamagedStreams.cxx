@@ -50,10 +50,10 @@ const Name AllNames[] = { { Points, "vtkOriginalPointIds" }, { Points, "SnapDist
   { Cells, "Priority" }, { Cells, "Depth" }, { Cells, "Step" }, { Cells, "Region" },
   { Cells, "SolidSides" }, { Cells, "vtkOriginalCellIds" }, { Field, "PriorityMeasure" },
   { Field, "KeepBothFoldSides" }, { Field, "Strategy" }, { Field, "KeptDistance" },
-  { Field, "MetShare" }, { Field, "SnapDistance" }, { Field, "ProfileVertices" },
-  { Field, "ProfileTriangles" }, { Field, "ProfileComponents" }, { Field, "ProfileTunnels" },
-  { Field, "ProfileVoids" }, { Field, "ProfileVolume" }, { Field, "ProfilePriority" },
-  { Field, "ProfileError" } };
+  { Field, "KeptDistance99" }, { Field, "KeptDistanceMean" }, { Field, "MetShare" },
+  { Field, "SnapDistance" }, { Field, "ProfileVertices" }, { Field, "ProfileTriangles" },
+  { Field, "ProfileComponents" }, { Field, "ProfileTunnels" }, { Field, "ProfileVoids" },
+  { Field, "ProfileVolume" }, { Field, "ProfilePriority" }, { Field, "ProfileError" } };
 
 /** A copy of the stream without an array, and a copy of that array. */
 struct Taken
@@ -153,8 +153,8 @@ TEST(DamagedStreams, AreRefusedForArraysThatAreMissing)
   {
     const std::string text = name.Text;
     const Taken taken(whole, name);
-    if (text == "KeptDistance" || text == "MetShare" || text == "SnapDistance" ||
-      text == "ProfileError" || text == "Strategy")
+    if (text == "KeptDistance" || text == "KeptDistance99" || text == "KeptDistanceMean" ||
+      text == "MetShare" || text == "SnapDistance" || text == "ProfileError" || text == "Strategy")
     {
       EXPECT_EQ(ErrorOf(taken.Stream), "") << text;
     }
@@ -248,8 +248,9 @@ TEST(DamagedStreams, AreRefusedForMeasuresThatCannotBe)
 {
   const auto whole = MakeStream();
   const Name measures[] = { { Cells, "Priority" }, { Cells, "Depth" }, { Points, "SnapDistance" },
-    { Field, "KeptDistance" }, { Field, "MetShare" }, { Field, "SnapDistance" },
-    { Field, "ProfileVolume" }, { Field, "ProfilePriority" }, { Field, "ProfileError" } };
+    { Field, "KeptDistance" }, { Field, "KeptDistance99" }, { Field, "KeptDistanceMean" },
+    { Field, "MetShare" }, { Field, "SnapDistance" }, { Field, "ProfileVolume" },
+    { Field, "ProfilePriority" }, { Field, "ProfileError" } };
   for (const Name& name : measures)
   {
     const vtkIdType last = GetData(whole, name.In)->GetArray(name.Text)->GetNumberOfTuples() - 1;

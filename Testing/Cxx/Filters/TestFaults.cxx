@@ -111,7 +111,7 @@ TEST(Faults, KillsAHangingHelperOnAbort)
 {
   for (const char* hang : { "exec sleep 1000", "sleep 1000 & wait", "(sleep 1000 & wait) & wait" })
   {
-    const auto hanging = OtherHelper::Script(std::string("echo '@progress 2 0' >&2; ") + hang);
+    const auto hanging = OtherHelper::Script(std::string("echo '@progress 3 0' >&2; ") + hang);
     const Leftovers leftovers;
     vtkNew<vtkTopologyCarver> carver;
     Messages messages(carver);

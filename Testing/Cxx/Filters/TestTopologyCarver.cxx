@@ -223,7 +223,7 @@ TEST(TopologyCarver, PrintsItsLevelTargets)
   EXPECT_TRUE(Has(text.str(), "LevelTargets: 123 45\n"));
 }
 
-// Progress passes through all stages, never falls, and ends at 1.
+// Progress passes through all stages, names the attempt, never falls, and ends at 1.
 TEST(TopologyCarver, ReportsProgressThroughAllStages)
 {
   struct Recorder
@@ -243,7 +243,8 @@ TEST(TopologyCarver, ReportsProgressThroughAllStages)
   recorder.Carver->Update();
   EXPECT_TRUE(std::is_sorted(recorder.Fractions.begin(), recorder.Fractions.end()));
   EXPECT_EQ(recorder.Fractions.back(), 1.0);
-  for (const char* stage : { "clean", "resolve", "tetrahedralize", "classify", "carve", "output" })
+  for (const char* stage :
+    { "clean", "resolve", "tetrahedralize: TetGen -pcY", "classify", "carve", "output" })
   {
     EXPECT_TRUE(recorder.Stages.count(stage)) << stage;
   }

@@ -155,6 +155,55 @@ TEST(Enclose, MeetsACleanMesh)
   EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
 }
 
+// The kept distances are those of dense samples on the kept surface, of which parts of the mesh are
+// left out.
+TEST(Enclose, MeasuresTheKeptDistances)
+{
+  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
+    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const Reply reply = GetReply(mesh, Conformity::Enclosing);
+  const Tetrahedralization& result = reply.Result;
+  const std::vector<Point>& points = result.Surface.Points;
+  std::vector<std::pair<double, double>> samples; // distance and area
+  double area = 0.0, sum = 0.0;
+  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4 && result.Kept[cell]; ++f)
+    {
+      const int other = result.Neighbors[cell][f];
+      if ((other >= 0 && result.Kept[other]) || result.Constraints[cell][f] >= 0)
+      {
+        continue;
+      }
+      const auto [a, b, c] = result.OutwardFace(static_cast<int>(cell), f);
+      const Point u = points[b] - points[a], v = points[c] - points[a];
+      constexpr int rows = 24;
+      for (int i = 0; i < rows; ++i)
+      {
+        for (int k = 0; i + k < rows; ++k)
+        {
+          const Point p = points[a] + ((i + 1.0 / 3.0) / rows) * u + ((k + 1.0 / 3.0) / rows) * v;
+          const double share = Length(Cross(u, v)) / (rows * (rows + 1));
+          samples.emplace_back(checks::DistanceTo(mesh.Points, mesh.Triangles, p), share);
+          area += share;
+          sum += share * samples.back().first;
+        }
+      }
+    }
+  }
+  std::sort(samples.begin(), samples.end());
+  double below = 0.0;
+  auto sample = samples.begin();
+  while (below < 0.99 * area)
+  {
+    below += sample->second;
+    ++sample;
+  }
+  EXPECT_NEAR(reply.KeptDistanceMean, sum / area, 0.05 * sum / area);
+  EXPECT_NEAR(reply.KeptDistance99, sample->first, 0.1 * sample->first);
+  EXPECT_NEAR(reply.KeptDistance, samples.back().first, 0.1 * samples.back().first);
+}
+
 // The share that is met is that of the faces' area in the area of the mesh.
 TEST(Enclose, KnowsWhichShareIsMet)
 {

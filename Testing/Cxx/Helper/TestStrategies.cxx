@@ -60,13 +60,16 @@ TriangleMesh NeedsSnapping()
  * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time. Returns what
  * `describe` returns for the reply that is written.
  */
-std::string TryOnSphere(double timeLimit, const std::function<std::string(const Reply&)>& describe)
+std::string TryOnSphere(double timeLimit, const std::function<std::string(const Reply&)>& describe,
+  Strategy strategy = Strategy::Auto)
 {
   Job job;
   job.Mesh = models::Sphere(1);
   job.Conformity = Conformity::Auto;
+  job.Strategy = strategy;
   job.TimeLimit = timeLimit;
   Reply reply;
+  reply.StageSeconds.assign(NumberOfStages, 0.0);
   reply.Result.Surface = Clean(AsResolved(job.Mesh));
   Messages written;
   const auto write = [&]
@@ -91,6 +94,53 @@ TEST(Strategies, EndAtTheFirstSuccess)
     EXPECT_EQ(reply.Attempts, "");
     EXPECT_TRUE(reply.Result.Kept.empty());
   }
+}
+
+// Recovery meets a clean mesh without TetGen, and is an error where it does not meet all of a mesh.
+TEST(Strategies, RecoverOnRequest)
+{
+  Job job = MakeJob(models::Torus(1.0, 0.3, 32, 16), Conformity::Exact);
+  job.Strategy = Strategy::Recover;
+  const Reply reply = GetReply(job);
+  EXPECT_EQ(reply.Strategy, "Delaunay, recovery");
+  EXPECT_EQ(reply.Attempts, "");
+  EXPECT_EQ(reply.Result.Surface.Facets.size(), job.Mesh.Triangles.size());
+  const std::vector<int> uses = checks::CountFaces(reply.Result);
+  EXPECT_EQ(std::count(uses.begin(), uses.end(), 0), 0);
+  job.Mesh = NeedsSplitting();
+  const HelperRun failed = RunHelper(job);
+  EXPECT_EQ(failed.Reply.Error.find("Recovery cannot tetrahedralize the mesh."), 0u)
+    << failed.Reply.Error;
+  EXPECT_EQ(failed.Reply.Error.find("TetGen -"), std::string::npos) << failed.Reply.Error;
+}
+
+// Without recovery, TetGen's second order follows the first.
+TEST(Strategies, LeaveRecoveryOutOnRequest)
+{
+  for (const Strategy strategy : { Strategy::TetGen, Strategy::Auto })
+  {
+    const std::string written = TryOnSphere(
+      0.5,
+      [](const Reply& reply)
+      {
+        while (reply.Strategy == "TetGen -pcY")
+        {
+          pause();
+        }
+        return reply.Strategy;
+      },
+      strategy);
+    EXPECT_EQ(
+      written, strategy == Strategy::TetGen ? "TetGen -pcY, order 1\n" : "Delaunay, recovery\n");
+  }
+}
+
+// The time of failed attempts is counted by itself.
+TEST(Strategies, CountTheTimeOfFailedAttempts)
+{
+  const auto attempts = static_cast<std::size_t>(Stage::Attempts);
+  EXPECT_EQ(GetReply(MakeJob(models::Sphere(2), Conformity::Exact)).StageSeconds[attempts], 0.0);
+  EXPECT_GT(GetReply(MakeJob(NeedsSplitting(), Conformity::Exact)).StageSeconds[attempts], 0.0);
 }
 
 // Where TetGen fails otherwise, points are added on triangles, whose parts are faces and cover the

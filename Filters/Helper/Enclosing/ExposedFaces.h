@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The boundary of the union of all tetrahedra that M pierces.
+ */
+#ifndef carving_ExposedFaces_h
+#define carving_ExposedFaces_h
+
+#include "Helper/Enclosing/PiercedMesh.h"
+#include "Helper/Enclosing/SurfaceDistance.h"
+
+namespace carving::helper
+{
+
+/** The corners of face f of a cell. */
+SurfaceDistance::Corners FacePoints(const PiercedMesh::Cell& cell, int f);
+
+/** A bound on the distance from M of any point of a pierced cell. */
+double LongestEdge(const PiercedMesh::Cell& cell);
+
+/** Whether a face of a pierced cell bounds the union of all pierced cells. */
+bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f);
+
+/** The distances from M of the points on exposed faces; 0 if no tetrahedron is pierced. */
+struct KeptDistances
+{
+  double Maximum;      ///< to within 5 %, but at least the negligible distance
+  double Percentile99; ///< of all but a hundredth of the area
+  double Mean;         ///< over the area
+};
+
+/**
+ * The maximum is found by search, the others from samples that are a hundredth of `length` apart.
+ * Faces that are parts of M are left out.
+ */
+KeptDistances MeasureKept(
+  const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible, double length);
+
+} // namespace carving::helper
+
+#endif

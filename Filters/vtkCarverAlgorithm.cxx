@@ -15,6 +15,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -213,6 +214,8 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.Strategy = static_cast<carving::Strategy>(this->Strategy);
   settings.EnclosingTolerance = this->EnclosingTolerance;
   settings.SnapTolerance = this->SnapTolerance;
+  settings.NumberOfThreads =
+    this->NumberOfThreads > 0 ? this->NumberOfThreads : vtkSMPTools::GetEstimatedNumberOfThreads();
   settings.AppendInput = this->AppendInput;
   settings.TimeLimit = this->TimeLimit;
   settings.MemoryLimit = this->MemoryLimit;

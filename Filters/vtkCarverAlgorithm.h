@@ -395,6 +395,18 @@ public:
 
   ///@{
   /**
+   * The number of leaves of a composite input that are worked on at a time: while one is carved,
+   * helper programs decompose the next ones. Fewer run where the memory of the machine would not
+   * suffice. The outputs do not depend on this number. With 0, the default, as many as
+   * vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0. The seconds of the helper
+   * program's stages add up to more than the update takes then (see GetStageSeconds).
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
    * How levels get their numbers of vertices. Without effect on contours.
    * - SUBSET (default): levels are steps of the carving. They have vertices of the input only.
    * - ENCLOSING_COLLAPSE: a step that has been carved further is decimated by edge collapses, as in
@@ -538,6 +550,7 @@ protected:
   bool ComputeError = false;
   int LevelTargetType = VERTICES;
   int LevelSimplification = SUBSET;
+  int NumberOfThreads = 0;
   int MaximumVertices = 0;
   std::vector<double> Targets;
 

@@ -123,7 +123,7 @@
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the
  * input. Each leaf is replaced by its levels (port 0: a block of blocks), its stream and its
- * profile.
+ * profile. Helper programs decompose several leaves at a time (see NumberOfThreads).
  *
  * **Errors** are reported through vtkErrorMacro, and the outputs are then empty: an input that is
  * not polygonal, a point that is not finite or has a coordinate above 1e38, a cell with a point

@@ -71,12 +71,8 @@ std::string FindHelper(std::string& error)
 class Listener
 {
 public:
-  Listener(const HelperProcess::Observer& observer)
-    : Observe(observer)
-  {
-  }
-
-  bool Hear(const char* data, int length)
+  /** Returns false if the observer wants to stop. */
+  bool Hear(const char* data, int length, const HelperProcess::Observer& observer)
   {
     bool goOn = true;
     for (int i = 0; i < length; ++i)
@@ -88,7 +84,7 @@ public:
       }
       if (carving::ParseProgress(this->Line, this->Progress))
       {
-        goOn = goOn && this->Report();
+        goOn = goOn && this->Report(observer);
       }
       else
       {
@@ -99,9 +95,9 @@ public:
     return goOn;
   }
 
-  bool Report() const
+  bool Report(const HelperProcess::Observer& observer) const
   {
-    return !this->Observe || this->Observe(this->Progress);
+    return !observer || observer(this->Progress);
   }
 
   /** The end of an error message: the stage of the work, and the last words of the program. */
@@ -132,38 +128,35 @@ private:
     this->Line.clear();
   }
 
-  const HelperProcess::Observer& Observe;
   carving::WorkProgress Progress;
   std::string Line;
   std::string Words;
 };
 
-/**
- * Waits for the end of the process. Returns false, after killing the process, if the observer wants
- * to stop.
- */
-bool Listen(vtksysProcess* process, Listener& listener)
+/** What a process does, or the observer wants. */
+enum class Activity
 {
-  for (;;)
+  Talks,
+  IsSilent,
+  HasEnded,
+  IsUnwanted
+};
+
+/** Hears the next output of the process, for at most `timeout` seconds. */
+Activity HearNext(vtksysProcess* process, double timeout, Listener& listener,
+  const HelperProcess::Observer& observer)
+{
+  char* data = nullptr;
+  int length = 0;
+  switch (vtksysProcess_WaitForData(process, &data, &length, &timeout))
   {
-    constexpr double pollInterval = 0.1;
-    double timeout = pollInterval;
-    char* data = nullptr;
-    int length = 0;
-    const int pipe = vtksysProcess_WaitForData(process, &data, &length, &timeout);
-    if (pipe == vtksysProcess_Pipe_None)
-    {
+    case vtksysProcess_Pipe_None:
       vtksysProcess_WaitForExit(process, nullptr);
-      return true;
-    }
-    const bool goOn =
-      pipe == vtksysProcess_Pipe_STDERR ? listener.Hear(data, length) : listener.Report();
-    if (!goOn)
-    {
-      vtksysProcess_Kill(process);
-      vtksysProcess_WaitForExit(process, nullptr);
-      return false;
-    }
+      return Activity::HasEnded;
+    case vtksysProcess_Pipe_STDERR:
+      return listener.Hear(data, length, observer) ? Activity::Talks : Activity::IsUnwanted;
+    default:
+      return listener.Report(observer) ? Activity::IsSilent : Activity::IsUnwanted;
   }
 }
 
@@ -204,50 +197,102 @@ std::string ReadReply(const MemoryFile& file, const std::string& program, carvin
       ". Make sure that it was built together with this library.";
 }
 
-/** Runs the program until it ends, or until the observer wants to stop. */
-HelperProcess::Outcome Execute(const std::string& program, const MemoryFile& job,
-  const MemoryFile& reply, const HelperProcess::Observer& observer, std::string& error)
+} // namespace
+
+class HelperProcess::Program
 {
-  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process(
-    vtksysProcess_New(), vtksysProcess_Delete);
-  const char* command[] = { program.c_str(), nullptr };
-  vtksysProcess_SetCommand(process.get(), command);
-  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDIN, job.GetPath().c_str());
-  vtksysProcess_SetPipeFile(process.get(), vtksysProcess_Pipe_STDOUT, reply.GetPath().c_str());
-  vtksysProcess_Execute(process.get());
-  Listener listener(observer);
-  if (!Listen(process.get(), listener))
+public:
+  ~Program()
   {
-    return HelperProcess::Outcome::Aborted;
+    vtksysProcess_Kill(this->Process.get()); // the library would wait for the end
   }
-  error = DescribeEnd(process.get(), listener);
-  return error.empty() ? HelperProcess::Outcome::Success : HelperProcess::Outcome::Failure;
+
+  /** Returns an empty string, or an error. */
+  std::string Start(const carving::Job& job)
+  {
+    std::string error;
+    this->Path = FindHelper(error);
+    if (this->Path.empty())
+    {
+      return error;
+    }
+    error = this->Job.IsOpen() && this->Reply.IsOpen()
+      ? WriteJob(job, this->Job)
+      : std::string("No file in memory could be opened: ") + std::strerror(errno);
+    if (error.empty())
+    {
+      const char* command[] = { this->Path.c_str(), nullptr };
+      vtksysProcess* process = this->Process.get();
+      vtksysProcess_SetCommand(process, command);
+      vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDIN, this->Job.GetPath().c_str());
+      vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDOUT, this->Reply.GetPath().c_str());
+      vtksysProcess_Execute(process);
+    }
+    return error;
+  }
+
+  bool IsRunning()
+  {
+    Activity activity = Activity::Talks;
+    while (activity == Activity::Talks)
+    {
+      activity = HearNext(this->Process.get(), 0.0, this->Words, {});
+    }
+    return activity != Activity::HasEnded;
+  }
+
+  Outcome Wait(const Observer& observer, carving::Reply& reply, std::string& error)
+  {
+    constexpr double pollInterval = 0.02; // seconds
+    Activity activity = Activity::Talks;
+    while (activity != Activity::HasEnded)
+    {
+      activity = HearNext(this->Process.get(), pollInterval, this->Words, observer);
+      if (activity == Activity::IsUnwanted)
+      {
+        return Outcome::Aborted;
+      }
+    }
+    error = DescribeEnd(this->Process.get(), this->Words);
+    error = error.empty() ? ReadReply(this->Reply, this->Path, reply) : error;
+    return error.empty() ? Outcome::Success : Outcome::Failure;
+  }
+
+private:
+  std::string Path;
+  Listener Words;
+  const MemoryFile Job{ "carving-job" };
+  const MemoryFile Reply{ "carving-reply" };
+  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> Process{ vtksysProcess_New(),
+    vtksysProcess_Delete };
+};
+
+HelperProcess::HelperProcess() = default;
+HelperProcess::~HelperProcess() = default;
+HelperProcess::HelperProcess(HelperProcess&&) noexcept = default;
+HelperProcess& HelperProcess::operator=(HelperProcess&&) noexcept = default;
+
+std::string HelperProcess::Start(const carving::Job& job)
+{
+  this->Running = std::make_unique<Program>();
+  return this->Running->Start(job);
 }
 
-} // namespace
+bool HelperProcess::IsRunning()
+{
+  return this->Running->IsRunning();
+}
+
+HelperProcess::Outcome HelperProcess::Wait(
+  const Observer& observer, carving::Reply& reply, std::string& error)
+{
+  return this->Running->Wait(observer, reply, error);
+}
 
 HelperProcess::Outcome HelperProcess::Run(
   const carving::Job& job, carving::Reply& reply, const Observer& observer, std::string& error)
 {
-  const std::string program = FindHelper(error);
-  if (program.empty())
-  {
-    return Outcome::Failure;
-  }
-  const MemoryFile jobFile("carving-job");
-  const MemoryFile replyFile("carving-reply");
-  error = jobFile.IsOpen() && replyFile.IsOpen()
-    ? WriteJob(job, jobFile)
-    : std::string("No file in memory could be opened: ") + std::strerror(errno);
-  if (!error.empty())
-  {
-    return Outcome::Failure;
-  }
-  const Outcome outcome = Execute(program, jobFile, replyFile, observer, error);
-  if (outcome != Outcome::Success)
-  {
-    return outcome;
-  }
-  error = ReadReply(replyFile, program, reply);
-  return error.empty() ? Outcome::Success : Outcome::Failure;
+  HelperProcess process;
+  error = process.Start(job);
+  return error.empty() ? process.Wait(observer, reply, error) : Outcome::Failure;
 }

@@ -20,17 +20,18 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   const CarverSettings& settings, const CarverPorts& ports)
 {
   this->Settings = settings;
-  this->Initial = initial;
   bool good = false;
   if (auto* polyData = vtkPolyData::SafeDownCast(input))
   {
     this->Stages.Start(1);
+    this->Leaves.Start({ polyData }, initial, settings, 1);
     good = this->UpdateLeaf(polyData, ports);
   }
   else
   {
     const auto leaves = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
     this->Stages.Start(static_cast<int>(leaves.size()));
+    this->Leaves.Start(leaves, initial, settings, settings.NumberOfThreads);
     // The pipeline has passed on the field data of the whole input.
     for (vtkDataObject* output : ports.GetAll())
     {
@@ -45,7 +46,7 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
 template <int D>
 bool CarverSession<D>::UpdateLeaf(vtkPolyData* input, const CarverPorts& ports)
 {
-  const auto leaf = this->Leaves.Get(input, this->Initial, this->Settings);
+  const auto leaf = this->Leaves.Get(input);
   if (!leaf)
   {
     return false;

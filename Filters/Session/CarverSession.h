@@ -74,7 +74,6 @@ private:
     const std::array<vtkMultiBlockDataSet*, 3>& parents);
 
   CarverSettings Settings;
-  vtkPolyData* Initial = nullptr;
   DecomposedLeaves<D> Leaves;
 };
 

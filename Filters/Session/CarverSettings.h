@@ -27,6 +27,7 @@ struct CarverSettings : HelperSettings
   carving::LevelTarget TargetType = carving::LevelTarget::Vertices;
   carving::FoldSides Folds = carving::FoldSides::One;
   bool ManifoldOutput = true;
+  int NumberOfThreads = 1; ///< the most helper programs at a time
   bool Simplify = false;   ///< whether levels are decimated
   int MaximumVertices = 0; ///< of a simplified level whose target is no such number; 0: no limit
   /** The properties that a stream stores, by their names. */

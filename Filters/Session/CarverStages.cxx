@@ -53,11 +53,14 @@ bool CarverStages::Report(int stage, double fraction, const std::string& attempt
   return !IsAborted(this->Filter);
 }
 
-void CarverStages::MoveToHelper(const std::vector<double>& secondsOfStages)
+void CarverStages::AddHelper(
+  const std::vector<double>& secondsOfStages, double secondsOfRun, double ownSeconds)
 {
+  double rest = secondsOfRun;
   for (std::size_t stage = 0; stage < secondsOfStages.size(); ++stage)
   {
     this->Seconds[stage] += secondsOfStages[stage];
-    this->Seconds[TransferStage] -= secondsOfStages[stage];
+    rest -= secondsOfStages[stage];
   }
+  this->Seconds[TransferStage] += std::clamp(rest, 0.0, ownSeconds);
 }

@@ -59,9 +59,12 @@ public:
   }
 
   /**
-   * Credits seconds that a running timer of TransferStage counts to stages of the helper program.
+   * Adds a run of the helper program: the seconds of its stages, and what remains of the whole run
+   * as transfer, but no more than the seconds that this process has spent on it. While others are
+   * carved, a run that has ended waits.
    */
-  void MoveToHelper(const std::vector<double>& secondsOfStages);
+  void AddHelper(
+    const std::vector<double>& secondsOfStages, double secondsOfRun, double ownSeconds);
 
   /** Adds to the seconds of a stage during its own lifetime. */
   class Timer

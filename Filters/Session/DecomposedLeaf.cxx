@@ -1,25 +1,63 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/DecomposedLeaf.h"
 
-#include "Process/HelperProcess.h"
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
+#include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
 
+namespace
+{
+
+double SecondsSince(std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+} // namespace
+
 template <int D>
-typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(
-  vtkPolyData* input, vtkPolyData* initial, const HelperSettings& settings)
+void DecomposedLeaves<D>::Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
+  const HelperSettings& settings, int numberOfThreads)
 {
   const bool custom = settings.Initial == carving::InitialApproximation::Custom;
+  this->Upcoming.assign(inputs.begin(), inputs.end());
+  this->Initial = custom ? initial : nullptr;
+  this->Settings = settings;
+  this->NumberOfThreads = static_cast<std::size_t>(std::max(1, numberOfThreads));
+}
+
+template <int D>
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FindKept(vtkPolyData* input) const
+{
   const auto kept = std::find_if(this->Kept.begin(), this->Kept.end(),
     [&](const LeafPointer& leaf)
     {
-      return leaf->Given.IsOf(input) && leaf->GivenInitial.IsOf(custom ? initial : nullptr) &&
-        WouldAnswerAlike(leaf->Reply, leaf->Settings, settings, D);
+      return leaf->Given.IsOf(input) && leaf->GivenInitial.IsOf(this->Initial) &&
+        WouldAnswerAlike(leaf->Reply, leaf->Settings, this->Settings, D);
     });
-  const LeafPointer leaf =
-    kept != this->Kept.end() ? *kept : this->Decompose(input, custom ? initial : nullptr, settings);
+  return kept != this->Kept.end() ? *kept : nullptr;
+}
+
+template <int D>
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* input)
+{
+  LeafPointer leaf = this->FindKept(input);
+  if (!leaf)
+  {
+    this->StartNext(0);
+    const auto isOfInput = [input](const Run& run) { return run.Leaf->Given.IsOf(input); };
+    auto found = std::find_if(this->Runs.begin(), this->Runs.end(), isOfInput);
+    if (found == this->Runs.end()) // the same leaf again, after an error
+    {
+      this->StartRun(input);
+      found = this->Runs.end() - 1;
+    }
+    Run run = std::move(*found);
+    this->Runs.erase(found);
+    leaf = this->FinishRun(std::move(run));
+  }
   if (leaf)
   {
     this->Used.push_back(leaf);
@@ -27,59 +65,116 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(
   return leaf;
 }
 
+/**
+ * Starts programs for the next leaves, so that with the given number of others as many run as may
+ * run. The first of them is started however large its leaf is.
+ */
 template <int D>
-typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Decompose(
-  vtkPolyData* input, vtkPolyData* initial, const HelperSettings& settings)
+void DecomposedLeaves<D>::StartNext(std::size_t others)
 {
-  const auto leaf = std::make_shared<DecomposedLeaf<D>>();
-  leaf->Given = DataVersion(input);
-  leaf->GivenInitial = DataVersion(initial);
-  leaf->Settings = settings;
-  std::string error = leaf->Input.Gather(input);
-  leaf->Empty = leaf->Input.IsEmpty();
-  if (error.empty() && settings.Initial == carving::InitialApproximation::Custom)
+  const std::size_t most = this->NumberOfThreads - others;
+  while (!this->Upcoming.empty() && this->CountRunning() < most &&
+    (others + this->Runs.size() == 0 || this->HasMemoryFor(this->Upcoming.front())))
   {
-    if (initial)
+    vtkPolyData* input = this->Upcoming.front();
+    this->Upcoming.pop_front();
+    if (!this->FindKept(input))
     {
-      error = Kind<D>::GatherInitial(initial, leaf->Input, leaf->Initial);
-      error = error.empty() ? error : "The initial approximation on port 1: " + error;
-    }
-    else
-    {
-      error = "InitialApproximation is CUSTOM, but input port 1 has no polygonal data.";
+      this->StartRun(input);
     }
   }
-  if (error.empty() && !leaf->Empty && !this->RunHelper(*leaf, error))
-  {
-    return nullptr;
-  }
-  if (!error.empty())
-  {
-    vtkErrorWithObjectMacro(this->Filter, << error);
-    return nullptr;
-  }
-  this->Kept.push_back(leaf);
-  return leaf;
 }
 
 template <int D>
-bool DecomposedLeaves<D>::RunHelper(DecomposedLeaf<D>& leaf, std::string& error)
+std::size_t DecomposedLeaves<D>::CountRunning()
 {
-  const CarverStages::Timer timer(this->Stages, TransferStage);
-  carving::Job job;
-  static_cast<carving::HelperOptions&>(job) = leaf.Settings;
-  job.Solid = leaf.Settings.Solid;
-  Kind<D>::Fill(job, leaf.Input, leaf.Initial);
-  const HelperProcess::Outcome outcome = HelperProcess::Run(
-    job, leaf.Reply,
-    [this](const carving::WorkProgress& progress)
+  return std::count_if(this->Runs.begin(), this->Runs.end(),
+    [](Run& run) { return run.IsStarted && run.Process.IsRunning(); });
+}
+
+/** Whether a program for a leaf fits into the machine's memory beside those that run. */
+template <int D>
+bool DecomposedLeaves<D>::HasMemoryFor(vtkPolyData* input) const
+{
+  constexpr double kibibytesOfPoint = 4.0; // about twice what TetGen takes for most meshes
+  double needed = kibibytesOfPoint * static_cast<double>(input->GetNumberOfPoints());
+  for (const Run& run : this->Runs)
+  {
+    needed += kibibytesOfPoint * static_cast<double>(run.NumberOfPoints);
+  }
+  vtksys::SystemInformation system;
+  return needed < static_cast<double>(system.GetHostMemoryAvailable() - system.GetHostMemoryUsed());
+}
+
+/** Starts the program for a leaf, unless the leaf is empty or has a mistake. */
+template <int D>
+void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
+{
+  Run run;
+  run.Begin = Clock::now();
+  run.NumberOfPoints = input->GetNumberOfPoints();
+  run.Leaf = std::make_shared<DecomposedLeaf<D>>();
+  DecomposedLeaf<D>& leaf = *run.Leaf;
+  leaf.Given = DataVersion(input);
+  leaf.GivenInitial = DataVersion(this->Initial);
+  leaf.Settings = this->Settings;
+  run.Error = leaf.Input.Gather(input);
+  leaf.Empty = leaf.Input.IsEmpty();
+  if (run.Error.empty() && this->Settings.Initial == carving::InitialApproximation::Custom)
+  {
+    if (this->Initial)
     {
-      return this->Stages.Report(
-        static_cast<int>(progress.Stage), progress.Fraction, progress.Attempt);
-    },
-    error);
-  this->Stages.MoveToHelper(leaf.Reply.StageSeconds);
-  return outcome != HelperProcess::Outcome::Aborted;
+      run.Error = Kind<D>::GatherInitial(this->Initial, leaf.Input, leaf.Initial);
+      run.Error =
+        run.Error.empty() ? run.Error : "The initial approximation on port 1: " + run.Error;
+    }
+    else
+    {
+      run.Error = "InitialApproximation is CUSTOM, but input port 1 has no polygonal data.";
+    }
+  }
+  if (run.Error.empty() && !leaf.Empty)
+  {
+    carving::Job job;
+    static_cast<carving::HelperOptions&>(job) = this->Settings;
+    job.Solid = this->Settings.Solid;
+    Kind<D>::Fill(job, leaf.Input, leaf.Initial);
+    run.Error = run.Process.Start(job);
+    run.IsStarted = run.Error.empty();
+  }
+  run.Seconds = SecondsSince(run.Begin);
+  this->Runs.push_back(std::move(run));
+}
+
+template <int D>
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run run)
+{
+  carving::Reply& reply = run.Leaf->Reply;
+  if (run.IsStarted)
+  {
+    const Clock::time_point begin = Clock::now();
+    const HelperProcess::Outcome outcome = run.Process.Wait(
+      [this](const carving::WorkProgress& progress)
+      {
+        this->StartNext(1);
+        return this->Stages.Report(
+          static_cast<int>(progress.Stage), progress.Fraction, progress.Attempt);
+      },
+      reply, run.Error);
+    run.Seconds += SecondsSince(begin);
+    this->Stages.AddHelper(reply.StageSeconds, SecondsSince(run.Begin), run.Seconds);
+    if (outcome == HelperProcess::Outcome::Aborted)
+    {
+      return nullptr;
+    }
+  }
+  if (!run.Error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Filter, << run.Error);
+    return nullptr;
+  }
+  this->Kept.push_back(run.Leaf);
+  return run.Leaf;
 }
 
 template <int D>
@@ -90,6 +185,8 @@ void DecomposedLeaves<D>::FinishUpdate(bool aborted)
     this->Kept = std::move(this->Used);
   }
   this->Used.clear();
+  this->Upcoming.clear();
+  this->Runs.clear();
 }
 
 template class DecomposedLeaves<2>;

@@ -7,11 +7,16 @@
 #define DecomposedLeaf_h
 
 #include "Objects/DataVersion.h"
+#include "Process/HelperProcess.h"
 #include "Session/CarverKind.h"
 #include "Session/CarverStages.h"
 #include "Session/HelperReuse.h"
+#include "vtkType.h"
 
+#include <chrono>
+#include <deque>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -32,7 +37,7 @@ struct DecomposedLeaf
 
 /**
  * Runs the helper program for a leaf, or gives the leaf's result of an earlier update if that still
- * holds.
+ * holds. Programs for the next leaves run meanwhile.
  */
 template <int D>
 class DecomposedLeaves
@@ -47,10 +52,15 @@ public:
   }
 
   /**
-   * `initial`, which can be null, is for InitialApproximation::Custom. Returns null after an error,
-   * which has been reported, and after an abort.
+   * Begins an update that will ask for leaves in this order. `initial`, which can be null, is for
+   * InitialApproximation::Custom. At most so many programs run at a time, one less while the caller
+   * works on a leaf.
    */
-  LeafPointer Get(vtkPolyData* input, vtkPolyData* initial, const HelperSettings& settings);
+  void Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
+    const HelperSettings& settings, int numberOfThreads);
+
+  /** Returns null after an error, which has been reported, and after an abort. */
+  LeafPointer Get(vtkPolyData* input);
 
   /**
    * Drops all results that the finished update has not used. An aborted update may not have reached
@@ -59,14 +69,37 @@ public:
   void FinishUpdate(bool aborted);
 
 private:
-  LeafPointer Decompose(vtkPolyData* input, vtkPolyData* initial, const HelperSettings& settings);
-  /** Returns false if the run was aborted. */
-  bool RunHelper(DecomposedLeaf<D>& leaf, std::string& error);
+  using Clock = std::chrono::steady_clock;
+
+  /** A leaf for which the helper program runs, unless the leaf is empty or there is an error. */
+  struct Run
+  {
+    std::shared_ptr<DecomposedLeaf<D>> Leaf;
+    HelperProcess Process;
+    bool IsStarted = false;
+    std::string Error;
+    vtkIdType NumberOfPoints = 0;
+    Clock::time_point Begin;
+    double Seconds = 0.0; ///< of this thread
+  };
+
+  LeafPointer FindKept(vtkPolyData* input) const;
+  void StartRun(vtkPolyData* input);
+  void StartNext(std::size_t others);
+  std::size_t CountRunning();
+  bool HasMemoryFor(vtkPolyData* input) const;
+  LeafPointer FinishRun(Run run);
 
   vtkAlgorithm* Filter;
   CarverStages& Stages;
   std::vector<LeafPointer> Kept;
   std::vector<LeafPointer> Used;
+
+  std::deque<vtkPolyData*> Upcoming; ///< the leaves that have not been started
+  vtkPolyData* Initial = nullptr;
+  HelperSettings Settings;
+  std::size_t NumberOfThreads = 1;
+  std::deque<Run> Runs; ///< in the order of the leaves
 };
 
 #endif

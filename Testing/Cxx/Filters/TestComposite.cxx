@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
+#include "Leftovers.h"
 
 #include "vtkExtractCarvedLOD.h"
 #include "vtkInformation.h"
@@ -17,6 +18,18 @@ namespace
 vtkMultiBlockDataSet* GetTree(vtkTopologyCarver* carver, int port)
 {
   return vtkMultiBlockDataSet::SafeDownCast(carver->GetOutputDataObject(port));
+}
+
+/** Tori of different sizes, side by side. */
+vtkSmartPointer<vtkMultiBlockDataSet> Tori(int number)
+{
+  auto scene = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (int i = 0; i < number; ++i)
+  {
+    scene->SetBlock(
+      i, ToPolyData(models::Moved(models::Torus(1.0, 0.3, 8 + 4 * (i % 3), 6), { 3.0 * i, 0, 0 })));
+  }
+  return scene;
 }
 
 } // namespace
@@ -102,6 +115,66 @@ TEST(Composite, KeepsTheTetrahedraOfAllLeaves)
   carver->SetNumberOfLevels(2);
   carver->Update();
   EXPECT_TRUE(messages.Errors.empty());
+}
+
+// As many helper programs run at a time as the filter may have threads, but no more.
+TEST(Composite, DecomposesLeavesAtTheSameTime)
+{
+  for (const int threads : { 1, 3 })
+  {
+    const std::string folder = testing::TempDir() + "/running" + std::to_string(threads);
+    // Each program waits until as many run as may run, and exits with their number.
+    const auto counting = OtherHelper::Script("mkdir -p " + folder + "; cd " + folder +
+      "; touch $$; for i in $(seq 600); do n=$(ls | wc -l); [ $n -ge " + std::to_string(threads) +
+      " ] && break; sleep 0.1; done; sleep 0.5; n=$(ls | wc -l); sleep 0.5; rm $$; exit $n");
+    vtkNew<vtkTopologyCarver> carver;
+    Messages messages(carver);
+    carver->SetNumberOfThreads(threads);
+    Carve(carver, Tori(threads));
+    ASSERT_EQ(messages.Errors.size(), static_cast<std::size_t>(threads));
+    for (const std::string& error : messages.Errors)
+    {
+      EXPECT_TRUE(Has(error, "exit code " + std::to_string(threads))) << error;
+    }
+  }
+}
+
+// The levels do not depend on the number of threads.
+TEST(Composite, GivesTheSameForAnyNumberOfThreads)
+{
+  const auto levelsOf = [](int threads)
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    carver->SetNumberOfThreads(threads);
+    Carve(carver, Tori(7));
+    std::vector<std::multiset<std::array<std::array<double, 3>, 3>>> levels;
+    for (vtkPolyData* level :
+      vtkCompositeDataSet::GetDataSets<vtkPolyData>(carver->GetOutputDataObject(0)))
+    {
+      levels.push_back(GetTriangles(level));
+    }
+    return levels;
+  };
+  const auto one = levelsOf(1);
+  EXPECT_GT(one.size(), 7u);
+  EXPECT_EQ(levelsOf(2), one);
+  EXPECT_EQ(levelsOf(16), one);
+}
+
+// An abort ends all helper programs that run at the time.
+TEST(Composite, EndsAllHelpersOnAbort)
+{
+  const auto hanging = OtherHelper::Script("echo '@progress 0 0' >&2; exec sleep 1000");
+  const Leftovers leftovers;
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetNumberOfThreads(4);
+  {
+    const Aborter aborter(carver, "clean", 3);
+    Carve(carver, Tori(6));
+  }
+  EXPECT_TRUE(messages.Errors.empty());
+  leftovers.ExpectNone();
 }
 
 // The extractor names a leaf that is not a stream, and gives the levels of the other leaves.

@@ -17,6 +17,8 @@ constexpr const char* TextBeforeProperties = R"(NAME
 SYNOPSIS
     carve INPUT [-o OUTPUT] [--stream OUT.vtu] [--profile FILE] [LEVELS]
           [PROPERTY OPTIONS]
+    carve INPUT INPUT... [-o OUTPUT.vtm] [--threads N] [LEVELS]
+          [PROPERTY OPTIONS]
     carve STREAM.vtu [-o OUTPUT] [--profile FILE] [LEVELS]
           [--manifold-output on|off]
     carve SURFACE --decimate [--nested] [-o OUTPUT] [--vertices N,... |
@@ -33,6 +35,8 @@ DESCRIPTION
     INPUT may be open, non-manifold or cross itself. The end of its name determines
     the format: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
     also gzipped (.obj.gz).
+
+    Several inputs are carved one by one, and are blocks of OUTPUT.vtm in their order.
 
     STREAM.vtu is a carving that --stream has stored. Any level can be extracted
     from it without carving again.
@@ -78,6 +82,10 @@ OPTIONS
         Write the number of vertices, triangles, components, tunnels, voids and more
         for every step: as a table if the name ends in .csv, as a chart over vertices
         if the name ends in .png. The chart needs an X display (or xvfb-run).
+
+    --threads N
+        The number of inputs that are worked on at a time. Default: 0, as many as VTK
+        has threads.
 
     --initial-mesh FILE
         The mesh for the initial approximation custom, which this option implies. The

@@ -222,6 +222,17 @@ void AddLevelOptions(Options& options, std::vector<KnownOption>& known)
   }
 }
 
+void AddThreadsOption(Options& options, std::vector<KnownOption>& known)
+{
+  known.push_back({ "threads", required_argument,
+    [&](const std::string& value)
+    {
+      options.CarvingOption = "--threads";
+      const vtkCarverProperty& property = FindProperty("NumberOfThreads");
+      return ParseValue("--threads", property, value, options.Properties[property.Name]);
+    } });
+}
+
 void AddPropertyOptions(Options& options, std::vector<KnownOption>& known)
 {
   for (const vtkCarverProperty& property : vtkCarverProperty::GetAll())
@@ -255,6 +266,7 @@ std::vector<KnownOption> MakeKnownOptions(Options& options)
   std::vector<KnownOption> known;
   AddFileOptions(options, known);
   AddLevelOptions(options, known);
+  AddThreadsOption(options, known);
   AddPropertyOptions(options, known);
   known.push_back({ "contours", no_argument,
     [&](const std::string&)
@@ -338,7 +350,7 @@ std::string CheckDecimation(const Options& options)
   const std::string other = !options.CarvingOption.empty() ? options.CarvingOption
     : !options.Profile.empty()                             ? "--profile"
     : options.Properties.count("NumberOfLevels") > 0       ? "--levels"
-    : IsStream(options.Input)                              ? "a stored stream"
+    : IsStream(options.Inputs[0])                          ? "a stored stream"
                                                            : "";
   if (!other.empty())
   {
@@ -351,10 +363,32 @@ std::string CheckDecimation(const Options& options)
     : "--decimate wants --vertices, --triangles or --error-bound";
 }
 
+/** Returns an empty string, or a description of options that several inputs exclude. */
+std::string CheckScene(const Options& options)
+{
+  if (!options.IsScene())
+  {
+    return "";
+  }
+  const std::string other = options.Decimate                              ? "--decimate"
+    : !options.Stream.empty()                                             ? "--stream"
+    : !options.Profile.empty()                                            ? "--profile"
+    : std::any_of(options.Inputs.begin(), options.Inputs.end(), IsStream) ? "a stored stream"
+                                                                          : "";
+  if (!other.empty())
+  {
+    return "several inputs cannot be combined with " + other;
+  }
+  return options.Output.empty() || EndsIn(options.Output, ".vtm")
+    ? ""
+    : "several inputs can be written to a name that ends in .vtm only";
+}
+
 /** Returns an empty string, or a description of options that contradict each other. */
 std::string CheckCombination(const Options& options)
 {
-  const std::string error = CheckDecimation(options);
+  std::string error = CheckScene(options);
+  error = error.empty() ? CheckDecimation(options) : error;
   if (!error.empty())
   {
     return error;
@@ -374,9 +408,10 @@ std::string CheckCombination(const Options& options)
   {
     return "contours can be written to a name that ends in .vtm or .vtp only";
   }
-  if (IsStream(options.Input) && !options.CarvingOption.empty())
+  if (IsStream(options.Inputs[0]) && !options.CarvingOption.empty())
   {
-    return options.CarvingOption + " wants a mesh: " + options.Input + " has been carved already";
+    return options.CarvingOption + " wants a mesh: " + options.Inputs[0] +
+      " has been carved already";
   }
   return {};
 }
@@ -395,10 +430,10 @@ std::string Parse(int argc, char* argv[], Options& options)
   {
     return error;
   }
-  if (optind != argc - 1)
+  if (optind == argc)
   {
-    return optind == argc ? "no input is given" : "more than one input is given";
+    return "no input is given";
   }
-  options.Input = argv[optind];
+  options.Inputs.assign(argv + optind, argv + argc);
   return CheckCombination(options);
 }

@@ -17,11 +17,11 @@ struct Options
   };
 
   Action Wanted = Action::Carve;
-  std::string Input;
-  std::string Output;      ///< empty: none
-  std::string Stream;      ///< the file for the stored stream; empty: none
-  std::string Profile;     ///< the file for the profile, .csv or .png; empty: none
-  std::string InitialMesh; ///< for CUSTOM
+  std::vector<std::string> Inputs; ///< several: a scene, with a block for each
+  std::string Output;              ///< empty: none
+  std::string Stream;              ///< the file for the stored stream; empty: none
+  std::string Profile;             ///< the file for the profile, .csv or .png; empty: none
+  std::string InitialMesh;         ///< for CUSTOM
   /**
    * The last option that applies to carving only, not to a stored stream; empty if there is none.
    */
@@ -33,6 +33,12 @@ struct Options
   std::vector<double> Targets;
   int TargetType = 0;         ///< vtkTopologyCarver::LevelTargets
   bool ManifoldOutput = true; ///< also in Properties
+
+  bool IsScene() const
+  {
+    return this->Inputs.size() > 1;
+  }
+
   /** The given values of properties of vtkCarverAlgorithm, by name. */
   std::map<std::string, double> Properties;
 };

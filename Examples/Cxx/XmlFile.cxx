@@ -39,6 +39,10 @@ protected:
   int WriteNonCompositeData(
     vtkDataObject* block, vtkXMLDataElement* element, int& index, const char* fileName) override
   {
+    if (!block)
+    {
+      return this->Superclass::WriteNonCompositeData(block, element, index, fileName);
+    }
     vtkXMLWriter* writer = this->GetWriter(index);
     writer->WriteToOutputStringOn();
     const int written = this->Superclass::WriteNonCompositeData(block, element, index, fileName);
@@ -47,6 +51,24 @@ protected:
   }
 };
 vtkStandardNewMacro(MultiBlockWriter);
+
+/** The same tree with null in place of blocks that are empty trees, which VTK cannot write. */
+vtkSmartPointer<vtkMultiBlockDataSet> WithoutEmptyBlocks(vtkMultiBlockDataSet* tree)
+{
+  auto result = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  result->CopyStructure(tree);
+  result->SetFieldData(tree->GetFieldData());
+  for (unsigned int i = 0; i < tree->GetNumberOfBlocks(); ++i)
+  {
+    auto* inner = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(i));
+    const bool isEmpty = inner && inner->GetNumberOfBlocks() == 0;
+    result->SetBlock(i,
+      isEmpty   ? nullptr
+        : inner ? WithoutEmptyBlocks(inner).Get()
+                : tree->GetBlock(i));
+  }
+  return result;
+}
 
 bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject* data)
 {
@@ -59,17 +81,18 @@ bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject*
   // slower, too.
   writer->SetCompressorTypeToLZ4();
   writer->SetCompressionLevel(9);
-  return writer->Write() != 0 && Save(fileName, writer);
+  // VTK reports some failures by an empty string only.
+  return writer->Write() != 0 && !writer->GetOutputString().empty() && Save(fileName, writer);
 }
 
 } // namespace
 
 bool XmlFile::Write(const std::string& fileName, vtkDataObject* data)
 {
-  if (vtkMultiBlockDataSet::SafeDownCast(data))
+  if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(data))
   {
     vtkNew<MultiBlockWriter> writer;
-    return WriteWith(writer, fileName, data) && writer->AllSaved;
+    return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && writer->AllSaved;
   }
   vtkSmartPointer<vtkXMLWriter> writer;
   writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));

@@ -5,6 +5,7 @@
  */
 #include "ErrorLog.h"
 #include "Help.h"
+#include "LevelTable.h"
 #include "LevelWriter.h"
 #include "MeshReader.h"
 #include "Options.h"
@@ -16,16 +17,16 @@
 #include "vtkCarverProperty.h"
 #include "vtkContourCarver.h"
 #include "vtkEnclosingDecimation.h"
-#include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkLogger.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkTopologyCarver.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <chrono>
 #include <cstdio>
@@ -76,46 +77,26 @@ void EraseProgress()
   }
 }
 
-/** A number in the field data of a level; a dash if the number is unknown. */
-std::string GetNumber(vtkPolyData* level, const char* name)
+/** Prints the table of each input's levels. */
+void PrintOutput(const Options& options, vtkMultiBlockDataSet* output)
 {
-  const double number = level->GetFieldData()->GetArray(name)->GetTuple1(0);
-  return number < 0.0 ? "-" : std::to_string(static_cast<long long>(number));
-}
-
-void PrintTable(vtkMultiBlockDataSet* levels, bool contours)
-{
-  std::printf("%5s %9s %10s %10s %10s %7s %6s\n", "level", "step", "vertices",
-    contours ? "edges" : "triangles", "components", contours ? "holes" : "tunnels", "voids");
-  for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
+  for (std::size_t i = 0; options.IsScene() && i < options.Inputs.size(); ++i)
   {
-    auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
-    std::printf("%5u %9s %10s %10s %10s %7s %6s\n", i, GetNumber(level, "Step").c_str(),
-      GetNumber(level, "Vertices").c_str(), GetNumber(level, "Triangles").c_str(),
-      GetNumber(level, "Components").c_str(), GetNumber(level, "Tunnels").c_str(),
-      GetNumber(level, "Voids").c_str());
+    auto* levels = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(static_cast<unsigned>(i)));
+    std::printf("%s%s\n", options.Inputs[i].c_str(),
+      levels->GetNumberOfBlocks() == 0 ? ": no levels" : "");
+    LevelTable::PrintLevels(levels, options.Contours);
+    LevelTable::PrintNotes(levels);
   }
-}
-
-void PrintSurfaces(vtkMultiBlockDataSet* surfaces)
-{
-  std::printf("%5s %10s %10s %12s\n", "level", "vertices", "triangles", "error");
-  for (unsigned int i = 0; i < surfaces->GetNumberOfBlocks(); ++i)
+  if (options.Decimate)
   {
-    auto* surface = vtkPolyData::SafeDownCast(surfaces->GetBlock(i));
-    std::printf("%5u %10s %10s %12g\n", i, GetNumber(surface, "Vertices").c_str(),
-      GetNumber(surface, "Triangles").c_str(),
-      surface->GetFieldData()->GetArray("Error")->GetTuple1(0));
+    LevelTable::PrintSurfaces(output);
   }
-}
-
-void PrintNotes(vtkMultiBlockDataSet* levels)
-{
-  auto* notes = vtkStringArray::SafeDownCast(levels->GetFieldData()->GetAbstractArray("Notes"));
-  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  else if (!options.IsScene())
   {
-    std::printf("note: %s\n", notes->GetValue(i).c_str());
+    LevelTable::PrintLevels(output, options.Contours);
   }
+  LevelTable::PrintNotes(output);
 }
 
 /**
@@ -125,23 +106,20 @@ void PrintNotes(vtkMultiBlockDataSet* levels)
 int Finish(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, vtkTable* profile,
   const std::string& seconds)
 {
-  if (!log->Errors.empty())
+  if (!log->Errors.empty() && !options.IsScene())
   {
     return Fail(log->Errors.front());
   }
+  for (const std::string& error : log->Errors) // the other inputs have levels
+  {
+    Fail(error);
+  }
+  const int exitCode = log->Errors.empty() ? Success : Failure;
   for (const std::string& warning : log->Warnings)
   {
     std::cerr << "carve: warning: " << warning << "\n";
   }
-  if (options.Decimate)
-  {
-    PrintSurfaces(levels);
-  }
-  else
-  {
-    PrintTable(levels, options.Contours);
-  }
-  PrintNotes(levels);
+  PrintOutput(options, levels);
   Clock clock;
   std::vector<std::string> written, warnings;
   if (!options.Output.empty())
@@ -175,7 +153,7 @@ int Finish(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* levels, 
   {
     std::cerr << "carve: warning: " << warning << "\n";
   }
-  return Success;
+  return exitCode;
 }
 
 std::string Describe(const char* what, double seconds)
@@ -231,7 +209,7 @@ int DecimateSurface(const Options& options, ErrorLog* log)
 {
   Clock clock;
   vtkNew<vtkPolyData> surface;
-  const std::string error = ReadInput(options.Input, false, log, surface);
+  const std::string error = ReadInput(options.Inputs[0], false, log, surface);
   if (!error.empty())
   {
     return Fail(error);
@@ -268,18 +246,29 @@ int CarveMesh(const Options& options, ErrorLog* log)
   {
     carver = vtkSmartPointer<vtkContourCarver>::New();
   }
-  vtkNew<vtkPolyData> mesh, initial;
-  for (const auto& [name, data] :
-    { std::pair(options.Input, mesh.Get()), std::pair(options.InitialMesh, initial.Get()) })
+  vtkNew<vtkMultiBlockDataSet> scene;
+  vtkNew<vtkPolyData> initial;
+  std::string error;
+  for (std::size_t i = 0; i < options.Inputs.size() && error.empty(); ++i)
   {
-    const std::string error = name.empty() ? "" : ReadInput(name, options.Contours, log, data);
-    if (!error.empty())
-    {
-      return Fail(error);
-    }
+    const std::string& name = options.Inputs[i];
+    const auto block = static_cast<unsigned int>(i);
+    vtkNew<vtkPolyData> mesh;
+    error = ReadInput(name, options.Contours, log, mesh);
+    scene->SetBlock(block, mesh);
+    scene->GetMetaData(block)->Set(
+      vtkCompositeDataSet::NAME(), vtksys::SystemTools::GetFilenameName(name));
+  }
+  if (error.empty() && !options.InitialMesh.empty())
+  {
+    error = ReadInput(options.InitialMesh, options.Contours, log, initial);
+  }
+  if (!error.empty())
+  {
+    return Fail(error);
   }
   std::string seconds = Describe("read", clock.Lap());
-  carver->SetInputData(0, mesh);
+  carver->SetInputDataObject(0, options.IsScene() ? scene.Get() : scene->GetBlock(0));
   carver->SetInputData(1, initial);
   SetProperties(options, carver);
   ShowProgressOf(carver);
@@ -306,13 +295,13 @@ int AnswerFromStream(const Options& options, ErrorLog* log)
 {
   Clock clock;
   vtkNew<vtkUnstructuredGrid> stream;
-  const std::string unreadable = StreamFile::Read(options.Input, log, stream);
+  const std::string unreadable = StreamFile::Read(options.Inputs[0], log, stream);
   if (!unreadable.empty())
   {
-    return Fail("cannot read " + options.Input + ": " + unreadable);
+    return Fail("cannot read " + options.Inputs[0] + ": " + unreadable);
   }
   const std::string read = Describe("read", clock.Lap());
-  std::printf("%s: %lld points, %lld cells\n", options.Input.c_str(),
+  std::printf("%s: %lld points, %lld cells\n", options.Inputs[0].c_str(),
     static_cast<long long>(stream->GetNumberOfPoints()),
     static_cast<long long>(stream->GetNumberOfCells()));
   vtkNew<vtkMultiBlockDataSet> levels;
@@ -351,7 +340,7 @@ int main(int argc, char* argv[])
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<ErrorLog> log;
   vtkOutputWindow::SetInstance(log);
-  return IsStream(options.Input) ? AnswerFromStream(options, log)
-    : options.Decimate           ? DecimateSurface(options, log)
-                                 : CarveMesh(options, log);
+  return IsStream(options.Inputs[0]) ? AnswerFromStream(options, log)
+    : options.Decimate               ? DecimateSurface(options, log)
+                                     : CarveMesh(options, log);
 }

@@ -19,7 +19,7 @@ import unittest
 
 from meshes import two_cubes
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
@@ -122,6 +122,37 @@ class TestCarve(unittest.TestCase):
         output = self.run_carve(BONES).stdout
         for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "output"):
             self.assertRegex(output, rf"{stage} \d+\.\d\d\d")
+
+    def test_carves_several_inputs(self):
+        """Several inputs are blocks of one output, named and in order, whatever the number of threads."""
+        cubes = self.write_cubes(vtkSTLWriter, "cubes.stl")
+        for threads in ("1", "2"):
+            run = self.run_carve(BONES, cubes, "--levels", "3", "--threads", threads, "-o", "scene.vtm")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            scene = read(vtkXMLMultiBlockDataReader, self.path("scene.vtm"))
+            names = [scene.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) for i in range(scene.GetNumberOfBlocks())]
+            self.assertEqual(names, ["bones.off", "cubes.stl"])
+            alone = self.table(BONES, "--levels", "3") + self.table(cubes, "--levels", "3")
+            levels = [scene.GetBlock(i).GetBlock(k) for i in range(2)
+                      for k in range(scene.GetBlock(i).GetNumberOfBlocks())]
+            self.assertEqual([level.GetNumberOfPolys() for level in levels], [row[3] for row in alone])
+
+    def test_goes_on_after_a_bad_input(self):
+        """Of several inputs, one that cannot be carved is an error, and the others are written."""
+        flat = self.path("flat.off")
+        with open(flat, "w", encoding="ascii") as file:
+            file.write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+        run = self.run_carve(flat, BONES, "-o", "scene.vtm")
+        self.expect_failure(run, 1, "plane")
+        self.assertIn("flat.off: no levels", run.stdout)
+        scene = read(vtkXMLMultiBlockDataReader, self.path("scene.vtm"))
+        self.assertEqual(scene.GetBlock(1).GetNumberOfBlocks(), 8)
+
+    def test_refuses_what_several_inputs_exclude(self):
+        """Options and formats for a single input are a mistake with several ones."""
+        for arguments, word in ((("--decimate",), "--decimate"), (("--stream", "a.vtu"), "--stream"),
+                                (("--profile", "a.csv"), "--profile"), (("-o", "a.ply"), ".vtm")):
+            self.expect_failure(self.run_carve(BONES, BONES, *arguments), 2, "several inputs", word)
 
     def test_prints_no_progress_into_a_pipe(self):
         """Standard error stays empty if it is not a terminal."""
@@ -330,7 +361,6 @@ class TestCarve(unittest.TestCase):
     def test_refuses_a_wrong_command_line(self):
         """A wrong command line gives exit code 2 and one line with the reason."""
         self.expect_failure(self.run_carve(), 2, "input")
-        self.expect_failure(self.run_carve("a.ply", "b.ply"), 2, "more than one")
         self.expect_failure(self.run_carve("--nonsense", BONES), 2, "--nonsense")
         self.expect_failure(self.run_carve(BONES, "-x"), 2, "-x")
         self.expect_failure(self.run_carve(BONES, "-o"), 2, "-o", "value")

@@ -37,7 +37,7 @@ Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
   limits.Mebibytes = job.MemoryLimit;
   if (job.Conformity == Conformity::Auto)
   {
-    limits.ProcessorSeconds = 12.0 + 2e-4 * static_cast<double>(numberOfFacets);
+    limits.ProcessorSeconds = 10.0 + 1e-4 * static_cast<double>(numberOfFacets);
   }
   return limits;
 }

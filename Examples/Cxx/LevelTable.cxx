@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LevelTable.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <cstdio>
+#include <string>
+
+namespace
+{
+
+/** A number in the field data of a level; a dash if the number is unknown. */
+std::string GetNumber(vtkPolyData* level, const char* name)
+{
+  const double number = level->GetFieldData()->GetArray(name)->GetTuple1(0);
+  return number < 0.0 ? "-" : std::to_string(static_cast<long long>(number));
+}
+
+} // namespace
+
+void LevelTable::PrintLevels(vtkMultiBlockDataSet* levels, bool contours)
+{
+  std::printf("%5s %9s %10s %10s %10s %7s %6s\n", "level", "step", "vertices",
+    contours ? "edges" : "triangles", "components", contours ? "holes" : "tunnels", "voids");
+  for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
+  {
+    auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
+    std::printf("%5u %9s %10s %10s %10s %7s %6s\n", i, GetNumber(level, "Step").c_str(),
+      GetNumber(level, "Vertices").c_str(), GetNumber(level, "Triangles").c_str(),
+      GetNumber(level, "Components").c_str(), GetNumber(level, "Tunnels").c_str(),
+      GetNumber(level, "Voids").c_str());
+  }
+}
+
+void LevelTable::PrintSurfaces(vtkMultiBlockDataSet* surfaces)
+{
+  std::printf("%5s %10s %10s %12s\n", "level", "vertices", "triangles", "error");
+  for (unsigned int i = 0; i < surfaces->GetNumberOfBlocks(); ++i)
+  {
+    auto* surface = vtkPolyData::SafeDownCast(surfaces->GetBlock(i));
+    std::printf("%5u %10s %10s %12g\n", i, GetNumber(surface, "Vertices").c_str(),
+      GetNumber(surface, "Triangles").c_str(),
+      surface->GetFieldData()->GetArray("Error")->GetTuple1(0));
+  }
+}
+
+void LevelTable::PrintNotes(vtkMultiBlockDataSet* levels)
+{
+  auto* notes = vtkStringArray::SafeDownCast(levels->GetFieldData()->GetAbstractArray("Notes"));
+  for (vtkIdType i = 0; notes && i < notes->GetNumberOfValues(); ++i)
+  {
+    std::printf("note: %s\n", notes->GetValue(i).c_str());
+  }
+}

@@ -83,8 +83,8 @@ void PrintOutput(const Options& options, vtkMultiBlockDataSet* output)
   for (std::size_t i = 0; options.IsScene() && i < options.Inputs.size(); ++i)
   {
     auto* levels = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(static_cast<unsigned>(i)));
-    std::printf("%s%s\n", options.Inputs[i].c_str(),
-      levels->GetNumberOfBlocks() == 0 ? ": no levels" : "");
+    std::printf(
+      "%s%s\n", options.Inputs[i].c_str(), levels->GetNumberOfBlocks() == 0 ? ": no levels" : "");
     LevelTable::PrintLevels(levels, options.Contours);
     LevelTable::PrintNotes(levels);
   }

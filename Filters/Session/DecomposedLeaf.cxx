@@ -46,17 +46,13 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* 
   LeafPointer leaf = this->FindKept(input);
   if (!leaf)
   {
-    this->StartNext(0);
-    const auto isOfInput = [input](const Run& run) { return run.Leaf->Given.IsOf(input); };
-    auto found = std::find_if(this->Runs.begin(), this->Runs.end(), isOfInput);
-    if (found == this->Runs.end()) // the same leaf again, after an error
+    this->StartNext();
+    if (this->FindRun(input) == this->Runs.end()) // the same leaf again, after an error
     {
       this->StartRun(input);
-      found = this->Runs.end() - 1;
     }
-    Run run = std::move(*found);
-    this->Runs.erase(found);
-    leaf = this->FinishRun(std::move(run));
+    leaf = this->FinishRun(*this->FindRun(input));
+    this->Runs.erase(this->FindRun(input));
   }
   if (leaf)
   {
@@ -65,20 +61,29 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* 
   return leaf;
 }
 
+template <int D>
+typename std::deque<typename DecomposedLeaves<D>::Run>::iterator DecomposedLeaves<D>::FindRun(
+  vtkPolyData* input)
+{
+  return std::find_if(this->Runs.begin(), this->Runs.end(),
+    [input](const Run& run) { return run.Leaf->Given.IsOf(input); });
+}
+
 /**
- * Starts programs for the next leaves, so that with the given number of others as many run as may
- * run. The first of them is started however large its leaf is.
+ * Starts programs for the next leaves, so that as many run as may run. The first of them is started
+ * however large its leaf is.
  */
 template <int D>
-void DecomposedLeaves<D>::StartNext(std::size_t others)
+void DecomposedLeaves<D>::StartNext()
 {
-  const std::size_t most = this->NumberOfThreads - others;
-  while (!this->Upcoming.empty() && this->CountRunning() < most &&
-    (others + this->Runs.size() == 0 || this->HasMemoryFor(this->Upcoming.front())))
+  constexpr std::size_t most = 64; // each has files open, also after its end
+  while (!this->Upcoming.empty() && this->CountRunning() < this->NumberOfThreads &&
+    (this->Runs.empty() ||
+      (this->Runs.size() < most && this->HasMemoryFor(this->Upcoming.front()))))
   {
     vtkPolyData* input = this->Upcoming.front();
     this->Upcoming.pop_front();
-    if (!this->FindKept(input))
+    if (!this->FindKept(input) && this->FindRun(input) == this->Runs.end())
     {
       this->StartRun(input);
     }
@@ -89,7 +94,7 @@ template <int D>
 std::size_t DecomposedLeaves<D>::CountRunning()
 {
   return std::count_if(this->Runs.begin(), this->Runs.end(),
-    [](Run& run) { return run.IsStarted && run.Process.IsRunning(); });
+    [](Run& run) { return run.IsStarted && (run.IsWaitedFor || run.Process.IsRunning()); });
 }
 
 /** Whether a program for a leaf fits into the machine's memory beside those that run. */
@@ -147,16 +152,17 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 }
 
 template <int D>
-typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run run)
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run& run)
 {
   carving::Reply& reply = run.Leaf->Reply;
   if (run.IsStarted)
   {
     const Clock::time_point begin = Clock::now();
+    run.IsWaitedFor = true;
     const HelperProcess::Outcome outcome = run.Process.Wait(
       [this](const carving::WorkProgress& progress)
       {
-        this->StartNext(1);
+        this->StartNext();
         return this->Stages.Report(
           static_cast<int>(progress.Stage), progress.Fraction, progress.Attempt);
       },

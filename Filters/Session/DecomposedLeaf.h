@@ -77,6 +77,7 @@ private:
     std::shared_ptr<DecomposedLeaf<D>> Leaf;
     HelperProcess Process;
     bool IsStarted = false;
+    bool IsWaitedFor = false;
     std::string Error;
     vtkIdType NumberOfPoints = 0;
     Clock::time_point Begin;
@@ -84,11 +85,12 @@ private:
   };
 
   LeafPointer FindKept(vtkPolyData* input) const;
+  typename std::deque<Run>::iterator FindRun(vtkPolyData* input);
   void StartRun(vtkPolyData* input);
-  void StartNext(std::size_t others);
+  void StartNext();
   std::size_t CountRunning();
   bool HasMemoryFor(vtkPolyData* input) const;
-  LeafPointer FinishRun(Run run);
+  LeafPointer FinishRun(Run& run);
 
   vtkAlgorithm* Filter;
   CarverStages& Stages;

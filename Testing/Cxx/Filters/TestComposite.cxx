@@ -14,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <unistd.h>
 
 namespace
@@ -151,6 +153,26 @@ TEST(Composite, DecomposesLeavesAtTheSameTime)
     }
     EXPECT_EQ(most, threads);
   }
+}
+
+// A leaf that is in the tree twice is decomposed once.
+TEST(Composite, DecomposesACopyOnce)
+{
+  const std::string log = testing::TempDir() + "/runs-" + std::to_string(getpid());
+  const auto counting = OtherHelper::Script("echo run >> " + log + "; exec sleep 1000");
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  carver->SetNumberOfThreads(3);
+  auto scene = Tori(1);
+  scene->SetBlock(1, scene->GetBlock(0));
+  carver->SetInputDataObject(scene);
+  {
+    const Aborter aborter(carver, "clean", 25); // half a second after the first program's start
+    carver->Update();
+  }
+  std::ifstream file(log);
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(file), {}, '\n'), 1);
+  vtksys::SystemTools::RemoveFile(log);
 }
 
 // The levels do not depend on the number of threads.

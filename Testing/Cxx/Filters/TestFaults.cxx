@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -165,6 +166,21 @@ TEST(Faults, CanBeAbortedWithinAnAttempt)
     EXPECT_TRUE(messages.Errors.empty());
     leftovers.ExpectNone();
   }
+}
+
+// If a limit ended an attempt, a note says that the result depends on it.
+TEST(Faults, NotesThatTheResultDependsOnALimit)
+{
+  // TetGen needs points on the triangles of the soup, which take many times as long. The sphere
+  // lowers the number of crossings per triangle, so that TetGen is tried.
+  std::mt19937_64 random(1);
+  const auto mesh =
+    models::Joined(models::Soup(200, random), models::Moved(models::Sphere(4), { 10, 0, 0 }));
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetTimeLimit(2.0);
+  carver->SetEnclosingTolerance(0.0);
+  Carve(carver, ToPolyData(mesh));
+  EXPECT_TRUE(Has(GetNotes(carver), "The result depends on a limit: "));
 }
 
 // A limit that is too low is an error that names the limit, in every mode; without the limit the

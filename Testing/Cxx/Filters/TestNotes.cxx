@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
-#include "RandomModels.h"
 #include "Session/CarverNotes.h"
 
 #include <gtest/gtest.h>
-
-#include <random>
 
 // A convex mesh gives one level, no error, and a note that there is nothing to carve.
 TEST(CarverNotes, SaysThatAConvexMeshHasNothingToCarve)
@@ -54,22 +51,7 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   EXPECT_TRUE(Has(GetNotes(carver), "guess"));
 }
 
-// If a limit ended an attempt, a note says that the result depends on it.
-TEST(CarverNotes, NotesThatTheResultDependsOnALimit)
-{
-  // TetGen needs points on the triangles of the soup, which take many times as long. The sphere
-  // lowers the number of crossings per triangle, so that TetGen is tried.
-  std::mt19937_64 random(1);
-  const auto mesh =
-    models::Joined(models::Soup(200, random), models::Moved(models::Sphere(4), { 10, 0, 0 }));
-  vtkNew<vtkTopologyCarver> carver;
-  carver->SetTimeLimit(2.0);
-  carver->SetEnclosingTolerance(0.0);
-  Carve(carver, ToPolyData(mesh));
-  EXPECT_TRUE(Has(GetNotes(carver), "The result depends on a limit: "));
-}
-
-// That note names the limit.
+// If a limit ended an attempt, a note names the limit.
 TEST(CarverNotes, NamesTheLimit)
 {
   carving::Reply reply;

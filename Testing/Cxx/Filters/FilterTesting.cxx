@@ -348,3 +348,8 @@ std::unique_ptr<OtherHelper> OtherHelper::Script(const std::string& commands)
   helper->ScriptPath = path;
   return helper;
 }
+
+std::unique_ptr<OtherHelper> OtherHelper::Preceded(const std::string& commands)
+{
+  return Script(commands + "\nexec '" CARVING_HELPER "' \"$@\"");
+}

@@ -157,6 +157,10 @@ public:
 
   /** Makes a shell script the helper program; the file is removed with this object. */
   static std::unique_ptr<OtherHelper> Script(const std::string& commands);
+
+  /** Makes a shell script the helper program that runs the true one after other commands. */
+  static std::unique_ptr<OtherHelper> Preceded(const std::string& commands);
+
   OtherHelper(const OtherHelper&) = delete;
   void operator=(const OtherHelper&) = delete;
 

@@ -131,12 +131,15 @@ TEST(Composite, DecomposesLeavesAtTheSameTime)
     const std::string folder =
       testing::TempDir() + "/running-" + std::to_string(getpid()) + "-" + std::to_string(threads);
     ASSERT_TRUE(vtksys::SystemTools::MakeDirectory(folder));
-    // Each program exits with the number of those that run when it starts, itself included, but
-    // waits before until so many have started.
-    const auto counting = OtherHelper::Script("cd " + folder +
-      "; touch start.$$; n=$(($(ls start.* | wc -l) - $(ls end.* 2>/dev/null | wc -l)));"
-      "for i in $(seq 600); do [ $(ls start.* | wc -l) -ge " +
-      std::to_string(threads) + " ] && break; sleep 0.1; done; touch end.$$; exit $n");
+    // Each program exits with the number of those that run at the time, itself included. None
+    // counts before so many have started, and none ends before so many have counted.
+    const std::string meeting = "for i in $(seq 600); do [ $(ls $1.* | wc -l) -ge " +
+      std::to_string(threads) + " ] && break; sleep 0.1; done";
+    const auto counting =
+      OtherHelper::Script("cd " + folder + "\nmeet() { touch $1.$$; " + meeting +
+        "; }\n"
+        "meet start; n=$(($(ls start.* | wc -l) - $(ls end.* 2>/dev/null | wc -l)))\n"
+        "meet counted; touch end.$$; exit $n");
     vtkNew<vtkTopologyCarver> carver;
     Messages messages(carver);
     carver->SetNumberOfThreads(threads);
@@ -159,17 +162,13 @@ TEST(Composite, DecomposesLeavesAtTheSameTime)
 TEST(Composite, DecomposesACopyOnce)
 {
   const std::string log = testing::TempDir() + "/runs-" + std::to_string(getpid());
-  const auto counting = OtherHelper::Script("echo run >> " + log + "; exec sleep 1000");
+  const auto counting = OtherHelper::Preceded("echo run >> " + log);
   vtkNew<vtkTopologyCarver> carver;
-  Messages messages(carver);
   carver->SetNumberOfThreads(3);
   auto scene = Tori(1);
   scene->SetBlock(1, scene->GetBlock(0));
-  carver->SetInputDataObject(scene);
-  {
-    const Aborter aborter(carver, "clean", 25); // half a second after the first program's start
-    carver->Update();
-  }
+  Carve(carver, scene);
+  EXPECT_EQ(GetTree(carver, 0)->GetNumberOfBlocks(), 2u);
   std::ifstream file(log);
   EXPECT_EQ(std::count(std::istreambuf_iterator<char>(file), {}, '\n'), 1);
   vtksys::SystemTools::RemoveFile(log);

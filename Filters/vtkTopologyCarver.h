@@ -40,8 +40,9 @@
  *   mesh was tetrahedralized (see below); `KeptDistance`, only of a mesh that is enclosed: the
  *   distance that the pierced tetrahedra reach from the mesh, to 5 %; `KeptDistance99` and
  *   `KeptDistanceMean`, likewise: the distance of all but a hundredth of their surface, parts of
- *   the mesh apart, and the mean over this surface; `MetShare`, likewise: the share of the mesh's area that pierces no tetrahedron, so that the last level consists of it
- *   there; `SnapDistance`, only of a snapped mesh: the largest distance that a point was moved.
+ *   the mesh apart, and the mean over this surface; `MetShare`, likewise: the share of the mesh's
+ *   area that pierces no tetrahedron, so that the last level consists of it there; `SnapDistance`,
+ *   only of a snapped mesh: the largest distance that a point was moved.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
  *   and `Voids` of the closed complex K_i; `SurfaceComponents` and `SurfaceGenus` of the level's

@@ -36,7 +36,8 @@ DESCRIPTION
     the format: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
     also gzipped (.obj.gz).
 
-    Several inputs are carved one by one, and are blocks of OUTPUT.vtm in their order.
+    Each of several inputs is carved by itself. They become the blocks of OUTPUT.vtm,
+    in the same order.
 
     STREAM.vtu is a carving that --stream has stored. Any level can be extracted
     from it without carving again.

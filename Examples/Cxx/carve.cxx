@@ -77,22 +77,30 @@ void EraseProgress()
   }
 }
 
-/** Prints the table of each input's levels. */
-void PrintOutput(const Options& options, vtkMultiBlockDataSet* output)
+/** Prints the tables of a scene, one for each input. */
+void PrintScene(const Options& options, vtkMultiBlockDataSet* scene)
 {
-  for (std::size_t i = 0; options.IsScene() && i < options.Inputs.size(); ++i)
+  for (std::size_t i = 0; i < options.Inputs.size(); ++i)
   {
-    auto* levels = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(static_cast<unsigned>(i)));
+    auto* levels = vtkMultiBlockDataSet::SafeDownCast(scene->GetBlock(static_cast<unsigned>(i)));
     std::printf(
       "%s%s\n", options.Inputs[i].c_str(), levels->GetNumberOfBlocks() == 0 ? ": no levels" : "");
     LevelTable::PrintLevels(levels, options.Contours);
     LevelTable::PrintNotes(levels);
   }
+}
+
+void PrintOutput(const Options& options, vtkMultiBlockDataSet* output)
+{
   if (options.Decimate)
   {
     LevelTable::PrintSurfaces(output);
   }
-  else if (!options.IsScene())
+  else if (options.IsScene())
+  {
+    PrintScene(options, output);
+  }
+  else
   {
     LevelTable::PrintLevels(output, options.Contours);
   }
@@ -195,6 +203,25 @@ std::string ReadInput(const std::string& fileName, bool contours, ErrorLog* log,
   return {};
 }
 
+/** Reads all inputs as the blocks of a scene. Returns an empty string, or an error. */
+std::string ReadScene(const Options& options, ErrorLog* log, vtkMultiBlockDataSet* scene)
+{
+  for (const std::string& name : options.Inputs)
+  {
+    vtkNew<vtkPolyData> mesh;
+    const std::string error = ReadInput(name, options.Contours, log, mesh);
+    if (!error.empty())
+    {
+      return error;
+    }
+    const unsigned int block = scene->GetNumberOfBlocks();
+    scene->SetBlock(block, mesh);
+    scene->GetMetaData(block)->Set(
+      vtkCompositeDataSet::NAME(), vtksys::SystemTools::GetFilenameName(name));
+  }
+  return {};
+}
+
 void ShowProgressOf(vtkAlgorithm* filter)
 {
   if (isatty(STDERR_FILENO))
@@ -248,17 +275,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   }
   vtkNew<vtkMultiBlockDataSet> scene;
   vtkNew<vtkPolyData> initial;
-  std::string error;
-  for (std::size_t i = 0; i < options.Inputs.size() && error.empty(); ++i)
-  {
-    const std::string& name = options.Inputs[i];
-    const auto block = static_cast<unsigned int>(i);
-    vtkNew<vtkPolyData> mesh;
-    error = ReadInput(name, options.Contours, log, mesh);
-    scene->SetBlock(block, mesh);
-    scene->GetMetaData(block)->Set(
-      vtkCompositeDataSet::NAME(), vtksys::SystemTools::GetFilenameName(name));
-  }
+  std::string error = ReadScene(options, log, scene);
   if (error.empty() && !options.InitialMesh.empty())
   {
     error = ReadInput(options.InitialMesh, options.Contours, log, initial);

@@ -6,6 +6,7 @@
  * there is none.
  */
 #include "Core/Protocol/Protocol.h"
+#include "Core/Protocol/SecondsSince.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
@@ -63,8 +64,7 @@ public:
 
   void End()
   {
-    this->Out.StageSeconds[static_cast<int>(this->Current)] +=
-      std::chrono::duration<double>(Clock::now() - this->Start).count();
+    this->Out.StageSeconds[static_cast<int>(this->Current)] += SecondsSince(this->Start);
   }
 
 private:

@@ -202,6 +202,10 @@ std::string ReadReply(const MemoryFile& file, const std::string& program, carvin
 class HelperProcess::Program
 {
 public:
+  explicit Program(const std::string& path)
+    : Path(path)
+  {
+  }
   ~Program()
   {
     vtksysProcess_Kill(this->Process.get()); // the library would wait for the end
@@ -210,13 +214,7 @@ public:
   /** Returns an empty string, or an error. */
   std::string Start(const carving::Job& job)
   {
-    std::string error;
-    this->Path = FindHelper(error);
-    if (this->Path.empty())
-    {
-      return error;
-    }
-    error = this->Job.IsOpen() && this->Reply.IsOpen()
+    const std::string error = this->Job.IsOpen() && this->Reply.IsOpen()
       ? WriteJob(job, this->Job)
       : std::string("No file in memory could be opened: ") + std::strerror(errno);
     if (error.empty())
@@ -259,12 +257,13 @@ public:
   }
 
 private:
-  std::string Path;
+  const std::string Path;
   Listener Words;
-  const MemoryFile Job{ "carving-job" };
-  const MemoryFile Reply{ "carving-reply" };
   const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> Process{ vtksysProcess_New(),
     vtksysProcess_Delete };
+  // Opened last, so that errno still has the reason of a failure.
+  const MemoryFile Job{ "carving-job" };
+  const MemoryFile Reply{ "carving-reply" };
 };
 
 HelperProcess::HelperProcess() = default;
@@ -274,7 +273,13 @@ HelperProcess& HelperProcess::operator=(HelperProcess&&) noexcept = default;
 
 std::string HelperProcess::Start(const carving::Job& job)
 {
-  this->Running = std::make_unique<Program>();
+  std::string error;
+  const std::string path = FindHelper(error);
+  if (path.empty())
+  {
+    return error;
+  }
+  this->Running = std::make_unique<Program>(path);
   return this->Running->Start(job);
 }
 

@@ -7,6 +7,7 @@
 #define CarverStages_h
 
 #include "Core/Protocol/Protocol.h"
+#include "Core/Protocol/SecondsSince.h"
 
 #include <array>
 #include <chrono>
@@ -76,7 +77,7 @@ public:
     }
     ~Timer()
     {
-      this->Seconds += std::chrono::duration<double>(Clock::now() - this->Start).count();
+      this->Seconds += carving::SecondsSince(this->Start);
     }
 
   private:

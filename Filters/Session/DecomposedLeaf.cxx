@@ -7,15 +7,7 @@
 
 #include <algorithm>
 
-namespace
-{
-
-double SecondsSince(std::chrono::steady_clock::time_point begin)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-} // namespace
+using carving::SecondsSince;
 
 template <int D>
 void DecomposedLeaves<D>::Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
@@ -116,7 +108,6 @@ template <int D>
 void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 {
   Run run;
-  run.Begin = Clock::now();
   run.NumberOfPoints = input->GetNumberOfPoints();
   run.Leaf = std::make_shared<DecomposedLeaf<D>>();
   DecomposedLeaf<D>& leaf = *run.Leaf;
@@ -140,14 +131,15 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
   }
   if (run.Error.empty() && !leaf.Empty)
   {
+    run.Begin = Clock::now();
     carving::Job job;
     static_cast<carving::HelperOptions&>(job) = this->Settings;
     job.Solid = this->Settings.Solid;
     Kind<D>::Fill(job, leaf.Input, leaf.Initial);
     run.Error = run.Process.Start(job);
     run.IsStarted = run.Error.empty();
+    run.Seconds = SecondsSince(run.Begin);
   }
-  run.Seconds = SecondsSince(run.Begin);
   this->Runs.push_back(std::move(run));
 }
 

@@ -80,8 +80,8 @@ private:
     bool IsWaitedFor = false;
     std::string Error;
     vtkIdType NumberOfPoints = 0;
-    Clock::time_point Begin;
-    double Seconds = 0.0; ///< of this thread
+    Clock::time_point Begin; ///< of handing the job over
+    double Seconds = 0.0;    ///< that this process has spent on handing over and waiting
   };
 
   LeafPointer FindKept(vtkPolyData* input) const;

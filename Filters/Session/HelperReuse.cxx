@@ -10,6 +10,10 @@ namespace
 bool AttemptsAlike(
   const carving::Reply& reply, const HelperSettings& before, const HelperSettings& now)
 {
+  if (now.Strategy != before.Strategy)
+  {
+    return false;
+  }
   const bool enclosed = !reply.Result.Kept.empty();
   const bool snapped = reply.SnapDistance > 0.0;
   const bool unlimited = reply.Limits.empty(); // no attempt has reached a limit
@@ -51,6 +55,5 @@ bool WouldAnswerAlike(const carving::Reply& reply, const HelperSettings& before,
   const bool memoryAlike =
     now.MemoryLimit == before.MemoryLimit || (moreMemory && reply.Limits.empty());
   return now.Initial == before.Initial && memoryAlike &&
-    (dimension == 2 || now.Strategy == before.Strategy) &&
     (dimension == 2 || AttemptsAlike(reply, before, now));
 }

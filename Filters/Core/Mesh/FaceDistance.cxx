@@ -16,32 +16,6 @@ namespace
 /** The factor by which a final bound may be too large. */
 constexpr double Tolerance = 1.01;
 
-/** The longest side of a piece of a face, which will be halved. */
-template <int D>
-int LongestSide(const FacetCorners<D>& piece)
-{
-  int longest = 0;
-  for (int i = 1; i < D; ++i)
-  {
-    if (Length(piece[(i + 1) % D] - piece[i]) > Length(piece[(longest + 1) % D] - piece[longest]))
-    {
-      longest = i;
-    }
-  }
-  return longest;
-}
-
-template <int D>
-std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& piece)
-{
-  const int side = LongestSide<D>(piece), next = (side + 1) % D;
-  const Point middle = Between(piece[side], piece[next], 0.5);
-  std::vector<FacetCorners<D>> halves(2, piece);
-  halves[0][side] = middle;
-  halves[1][next] = middle;
-  return halves;
-}
-
 using Polygon = std::vector<Point>;
 
 /** Divides a convex polygon by the plane through p: the part in front, the part behind. */
@@ -138,6 +112,31 @@ std::vector<FacetCorners<3>> Split(const FacetCorners<3>& piece, const FacetCorn
 } // namespace
 
 template <int D>
+int LongestSide(const FacetCorners<D>& face)
+{
+  int longest = 0;
+  for (int i = 1; i < D; ++i)
+  {
+    if (Length(face[(i + 1) % D] - face[i]) > Length(face[(longest + 1) % D] - face[longest]))
+    {
+      longest = i;
+    }
+  }
+  return longest;
+}
+
+template <int D>
+std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& face)
+{
+  const int side = LongestSide<D>(face), next = (side + 1) % D;
+  const Point middle = Between(face[side], face[next], 0.5);
+  std::vector<FacetCorners<D>> halves(2, face);
+  halves[0][side] = middle;
+  halves[1][next] = middle;
+  return halves;
+}
+
+template <int D>
 double BallRadius(const FacetCorners<D>& face)
 {
   const int i = LongestSide<D>(face);
@@ -201,6 +200,10 @@ typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
   return { corners, closest.Facet, upper };
 }
 
+template int LongestSide<2>(const FacetCorners<2>&);
+template int LongestSide<3>(const FacetCorners<3>&);
+template std::vector<FacetCorners<2>> Halve<2>(const FacetCorners<2>&);
+template std::vector<FacetCorners<3>> Halve<3>(const FacetCorners<3>&);
 template double BallRadius<2>(const FacetCorners<2>&);
 template double BallRadius<3>(const FacetCorners<3>&);
 template class FaceDistance<2>;

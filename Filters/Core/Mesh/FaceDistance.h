@@ -8,6 +8,8 @@
 
 #include "Core/Mesh/FacetTree.h"
 
+#include <vector>
+
 namespace carving
 {
 
@@ -17,6 +19,14 @@ namespace carving
  */
 template <int D>
 double BallRadius(const FacetCorners<D>& face);
+
+/** The longest side of a face, from this corner to the next. */
+template <int D>
+int LongestSide(const FacetCorners<D>& face);
+
+/** The halves of a face on both sides of the midpoint of its longest side. */
+template <int D>
+std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& face);
 
 /** Bounds the largest distance of any point of a face from a mesh, by branch and bound. */
 template <int D>

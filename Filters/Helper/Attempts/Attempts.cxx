@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/Attempts.h"
 
+#include "Core/Protocol/SecondsSince.h"
 #include "Helper/Attempts/Patience.h"
 #include "Helper/Attempts/Shuffle.h"
 #include "Helper/Base/GrownBox.h"
@@ -30,13 +31,11 @@ std::vector<Point> Attempts::FurtherPoints(const std::vector<Point>& points) con
 bool Attempts::TryInChild(const std::string& attempt, const std::string& subject,
   const Limits& limits, const std::function<bool()>& work)
 {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const Ending ending = RunInChildProcess(limits, work);
   if (!ending.Mistake.empty())
   {
-    this->TheReply.StageSeconds[static_cast<int>(Stage::Attempts)] +=
-      std::chrono::duration<double>(Clock::now() - start).count();
+    this->TheReply.StageSeconds[static_cast<int>(Stage::Attempts)] += SecondsSince(start);
   }
   if (!ending.Mistake.empty() && ending.Mistake != "failed")
   {

@@ -183,7 +183,7 @@ std::string StrategyRun::CheckSnapped(const SnappedMesh& snapped, double toleran
 
 bool StrategyRun::TryGrid(const ResolvedMesh& given, double tolerance, double spacing)
 {
-  this->TheReply.Strategy.clear();
+  this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
   this->Host.Begin(Stage::Resolve);
   SnappedMesh snapped;
   std::string mistake = Snap(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/ExposedFaces.h"
 
+#include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -37,19 +38,11 @@ public:
     {
       const Corners piece = pieces.back();
       pieces.pop_back();
-      int longest = 0;
-      const auto side = [&piece](int i) { return Length(piece[(i + 1) % 3] - piece[i]); };
-      for (int i = 1; i < 3; ++i)
+      const int longest = LongestSide<3>(piece);
+      if (Length(piece[(longest + 1) % 3] - piece[longest]) > this->Spacing)
       {
-        longest = side(i) > side(longest) ? i : longest;
-      }
-      if (side(longest) > this->Spacing)
-      {
-        const int next = (longest + 1) % 3;
-        const Point middle = Between(piece[longest], piece[next], 0.5);
-        pieces.insert(pieces.end(), 2, piece);
-        pieces.back()[longest] = middle;
-        (pieces.end() - 2)->at(next) = middle;
+        const std::vector<Corners> halves = Halve<3>(piece);
+        pieces.insert(pieces.end(), halves.begin(), halves.end());
         continue;
       }
       const Point centroid = (piece[0] + piece[1] + piece[2]) / 3.0;
@@ -118,6 +111,22 @@ bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f)
 {
   const Cell other = cell->neighbor(f);
   return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
+}
+
+bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
+  const SurfaceDistance& distance, double tolerance)
+{
+  for (int f = 0; f < 4; ++f)
+  {
+    const Cell other = cell->neighbor(f);
+    const bool outer = mesh.GetDelaunay().is_infinite(other);
+    const bool exposed = cell->info().IsPierced() != (!outer && other->info().IsPierced());
+    if (exposed && !distance.IsWithin(FacePoints(cell, f), tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 KeptDistances MeasureKept(

@@ -21,6 +21,13 @@ double LongestEdge(const PiercedMesh::Cell& cell);
 /** Whether a face of a pierced cell bounds the union of all pierced cells. */
 bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f);
 
+/**
+ * Whether every exposed face of a cell, or of a neighbor behind the cell's faces, is within
+ * `tolerance` of M.
+ */
+bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
+  const SurfaceDistance& distance, double tolerance);
+
 /** The distances from M of the points on exposed faces; 0 if no tetrahedron is pierced. */
 struct KeptDistances
 {

@@ -258,20 +258,4 @@ void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance
   }
 }
 
-bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
-  const SurfaceDistance& distance, double tolerance)
-{
-  for (int f = 0; f < 4; ++f)
-  {
-    const Cell other = cell->neighbor(f);
-    const bool outer = mesh.GetDelaunay().is_infinite(other);
-    const bool exposed = cell->info().IsPierced() != (!outer && other->info().IsPierced());
-    if (exposed && !distance.IsWithin(FacePoints(cell, f), tolerance))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 } // namespace carving::helper

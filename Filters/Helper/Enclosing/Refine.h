@@ -23,13 +23,6 @@ namespace carving::helper
 void Refine(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress);
 
-/**
- * Whether every exposed face of a cell, or of a neighbor behind the cell's faces, is within
- * `tolerance` of M.
- */
-bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
-  const SurfaceDistance& distance, double tolerance);
-
 } // namespace carving::helper
 
 #endif

@@ -2,6 +2,7 @@
 #include "Convert/ContourInput.h"
 
 #include "Convert/InputCells.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -121,8 +122,7 @@ std::string ContourInput::CheckPlane()
     {
       all.push_back(points[i]);
     }
-    Point lower, upper;
-    GetBounds(all, lower, upper);
+    const auto [lower, upper] = BoxAround(all);
     plane = { true, all.front(), FindNormal(all), PlaneTolerance * Length(upper - lower) };
   }
   for (const int i : used)

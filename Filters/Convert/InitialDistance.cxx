@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/InitialDistance.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "vtkCellArray.h"
 #include "vtkGenericCell.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/InputCells.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 
 #include <cmath>
@@ -66,8 +67,7 @@ std::string CheckPoint(vtkIdType id, const carving::Point& p)
 
 std::string CheckDiagonal(const std::vector<carving::Point>& points)
 {
-  carving::Point lower, upper;
-  carving::GetBounds(points, lower, upper);
+  const auto [lower, upper] = carving::BoxAround(points);
   const double diagonal = std::hypot(upper[0] - lower[0], upper[1] - lower[1], upper[2] - lower[2]);
   return diagonal > 0.0 && diagonal < SmallestDiagonal
     ? "The input's diagonal is shorter than 1e-38. Scale the input."

@@ -166,6 +166,13 @@ std::string ReadAll(std::istream& in)
   return all;
 }
 
+/** Returns an empty string, or an error. */
+std::string ReadJob(Job& job)
+{
+  const std::string input = ReadAll(std::cin);
+  return Read(input.data(), input.size(), job);
+}
+
 /**
  * Writes the reply from the beginning of its file, over anything that a failed child process has
  * written.
@@ -207,9 +214,8 @@ int main()
   setvbuf(stdout, nullptr, _IOLBF, 0);
 
   std::ios::sync_with_stdio(false);
-  const std::string input = ReadAll(std::cin);
   Job job;
-  const std::string mistake = Read(input.data(), input.size(), job);
+  const std::string mistake = ReadJob(job);
   if (!mistake.empty())
   {
     std::cerr << "carving-helper: " << mistake

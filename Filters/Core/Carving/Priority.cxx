@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Carving/Priority.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
 
 #include <algorithm>

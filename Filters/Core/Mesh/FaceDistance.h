@@ -36,6 +36,11 @@ public:
   /** The mesh must have a facet and outlive this object. */
   explicit FaceDistance(const ResolvedInput<D>& mesh);
 
+  const FacetTree<D>& GetTree() const
+  {
+    return this->Tree;
+  }
+
   double OfPoint(const Point& p) const
   {
     return this->Tree.Find(p).Distance;

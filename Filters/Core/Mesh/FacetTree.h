@@ -6,6 +6,7 @@
 #ifndef carving_FacetTree_h
 #define carving_FacetTree_h
 
+#include "Core/Mesh/BoxTree.h"
 #include "Core/Mesh/Mesh.h"
 
 #include <vector>
@@ -32,12 +33,44 @@ FacetCorners<D> CornersOf(const std::vector<Point>& points, const std::array<int
 double DistanceTo(const FacetCorners<2>& edge, const Point& p);
 double DistanceTo(const FacetCorners<3>& triangle, const Point& p);
 
+/** The facets of a mesh as items of a tree. */
+template <int D>
+class FacetItems
+{
+public:
+  /** The mesh must outlive this object. */
+  explicit FacetItems(const ResolvedInput<D>& mesh)
+    : Mesh(&mesh)
+  {
+  }
+
+  std::size_t GetNumberOfItems() const
+  {
+    return this->Mesh->Facets.size();
+  }
+  FacetCorners<D> CornersOf(int facet) const
+  {
+    return carving::CornersOf<D>(this->Mesh->Points, this->Mesh->Facets[facet]);
+  }
+  Box BoxOf(int facet) const
+  {
+    return BoxAround(this->CornersOf(facet));
+  }
+  const ResolvedInput<D>& GetMesh() const
+  {
+    return *this->Mesh;
+  }
+
+private:
+  const ResolvedInput<D>* Mesh;
+};
+
 /**
- * A bounding volume hierarchy of axis-aligned boxes around facets. Most queries start far from all
- * facets, where VTK's locators, which search a grid of buckets, take many times as long.
+ * A search tree for facets. Most queries start far from all facets, where VTK's locators, which
+ * search a grid of buckets, take many times as long.
  */
 template <int D>
-class FacetTree
+class FacetTree : public BoxTree<FacetItems<D>>
 {
 public:
   /** The mesh must have a facet and outlive the tree. */
@@ -49,24 +82,6 @@ public:
     double Distance;
   };
   Closest Find(const Point& p) const;
-
-private:
-  /** The box of facets First to Last - 1. The first child is the next node. */
-  struct Node
-  {
-    Point Lower;
-    Point Upper;
-    int First;
-    int Last;
-    int Second; ///< the second child; 0 for a leaf
-  };
-
-  void Build(const std::vector<Point>& centers, int first, int last);
-  static double SquaredDistance(const Node& node, const Point& p);
-
-  const ResolvedInput<D>& Mesh;
-  std::vector<int> Facets;
-  std::vector<Node> Nodes;
 };
 
 } // namespace carving

@@ -56,20 +56,6 @@ inline Point Between(const Point& a, const Point& b, double t)
   return a + t * (b - a);
 }
 
-/** The corners of the bounding box of at least one point. */
-inline void GetBounds(const std::vector<Point>& points, Point& lower, Point& upper)
-{
-  lower = upper = points.front();
-  for (const Point& p : points)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      lower[i] = std::min(lower[i], p[i]);
-      upper[i] = std::max(upper[i], p[i]);
-    }
-  }
-}
-
 /** The vector from the first point to another for which a measure of the vector is greatest. */
 template <class Measure>
 Point FarthestFromFirst(const std::vector<Point>& points, const Measure& measure)
@@ -79,18 +65,6 @@ Point FarthestFromFirst(const std::vector<Point>& points, const Measure& measure
            [&](const Point& a, const Point& b)
            { return measure(a - first) < measure(b - first); }) -
     first;
-}
-
-/** The length of the diagonal of the points' bounding box; 0 without points. */
-inline double Diagonal(const std::vector<Point>& points)
-{
-  if (points.empty())
-  {
-    return 0.0;
-  }
-  Point lower, upper;
-  GetBounds(points, lower, upper);
-  return Length(upper - lower);
 }
 
 /** Six times the signed volume of the tetrahedron (a, b, c, d). */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/Strategies.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Attempts/Attempts.h"
 #include "Helper/Attempts/Patience.h"

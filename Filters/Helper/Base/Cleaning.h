@@ -50,13 +50,17 @@ template <int D>
 void TakeUsedPoints(const ResolvedInput<D>& from, ResolvedInput<D>& to)
 {
   std::vector<int> newIndex(from.Points.size(), -1);
+  std::size_t used = 0;
   for (const auto& facet : to.Facets)
   {
     for (const int corner : facet)
     {
-      newIndex[corner] = 0; // used
+      used += newIndex[corner] < 0;
+      newIndex[corner] = 0;
     }
   }
+  to.Points.reserve(used);
+  to.PointSources.reserve(used);
   for (std::size_t i = 0; i < from.Points.size(); ++i)
   {
     if (newIndex[i] >= 0)

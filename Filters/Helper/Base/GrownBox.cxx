@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Base/GrownBox.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 
 namespace carving::helper
@@ -8,8 +9,7 @@ namespace carving::helper
 
 std::vector<Point> GrownBox(const std::vector<Point>& points)
 {
-  Point lower, upper;
-  GetBounds(points, lower, upper);
+  const auto [lower, upper] = BoxAround(points);
   const double margin = BoxMargin * Length(upper - lower);
   std::vector<Point> corners;
   for (int i = 0; i < 8; ++i)

@@ -5,6 +5,12 @@
 
 namespace carving::helper
 {
+namespace
+{
+
+constexpr Triangle Removed = { -1, -1, -1 };
+
+} // namespace
 
 ChainRecorder::ChainRecorder(const SurfaceMesh& surface)
   : Points(PointsOf(surface))
@@ -49,8 +55,7 @@ void ChainRecorder::AddCollapse(
   for (const Face face : faces)
   {
     const bool remains = !surface.is_removed(face);
-    this->Replace(
-      this->Now[face], remains ? this->CornersNow(surface, face) : Triangle{ -1, -1, -1 });
+    this->Replace(this->Now[face], remains ? this->CornersNow(surface, face) : Removed);
   }
 }
 
@@ -74,22 +79,29 @@ void ChainRecorder::Replace(ChainFace& face, const Triangle& corners)
   }
   if (face.Birth < collapses)
   {
-    this->Chain.Faces.push_back(face);
-    this->Chain.Faces.back().Death = collapses;
+    this->Past.push_back(face);
+    this->Past.back().Death = collapses;
   }
   face.Corners = corners;
   face.Birth = collapses;
 }
 
-CollapseChain ChainRecorder::MakeChain(const SurfaceMesh& surface) const
+void ChainRecorder::Take(CollapseChain& chain, std::vector<Point>& points) &&
 {
-  CollapseChain chain = this->Chain;
-  for (const Face face : surface.faces())
+  chain = std::move(this->Chain);
+  points = std::move(this->Points);
+  this->PointOfVertex = {};
+  chain.Faces.reserve(this->Past.size() + this->Now.size());
+  chain.Faces.assign(this->Past.begin(), this->Past.end());
+  this->Past.clear();
+  for (const ChainFace& face : this->Now)
   {
-    chain.Faces.push_back(this->Now[face]);
-    chain.Faces.back().Death = chain.Collapses + 1;
+    if (face.Corners != Removed)
+    {
+      chain.Faces.push_back(face);
+      chain.Faces.back().Death = chain.Collapses + 1;
+    }
   }
-  return chain;
 }
 
 } // namespace carving::helper

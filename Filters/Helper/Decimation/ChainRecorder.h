@@ -9,6 +9,7 @@
 #include "Core/Stream/CollapseChain.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
+#include <deque>
 #include <vector>
 
 namespace carving::helper
@@ -38,22 +39,18 @@ public:
     return this->Chain.Collapses;
   }
 
-  /** The history up to now. The source of a face is its index in the surface. */
-  CollapseChain MakeChain(const SurfaceMesh& surface) const;
-
-  const std::vector<Point>& GetPoints() const
-  {
-    return this->Points;
-  }
+  /** Hands over the history. The source of a face is its index in the surface. */
+  void Take(CollapseChain& chain, std::vector<Point>& points) &&;
 
 private:
   void Replace(ChainFace& face, const Triangle& corners);
   Triangle CornersNow(const SurfaceMesh& surface, Face face) const;
 
-  CollapseChain Chain;            ///< with the faces that no longer exist
+  CollapseChain Chain;            ///< without faces
+  std::deque<ChainFace> Past;     ///< the faces that no longer exist; most of the memory
   std::vector<Point> Points;      ///< of the chain
   std::vector<int> PointOfVertex; ///< per vertex of the surface: its point of the chain
-  std::vector<ChainFace> Now;     ///< per face of the surface: as it is now, without a death
+  std::vector<ChainFace> Now;     ///< per face of the surface: as it is now, or without corners
 };
 
 } // namespace carving::helper

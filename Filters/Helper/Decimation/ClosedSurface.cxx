@@ -122,6 +122,8 @@ void SplitFans(const std::vector<int>& partners, ResolvedMesh& surface)
   }
   std::sort(vertices.begin(), vertices.end());
   ResolvedMesh split;
+  split.Points.reserve(vertices.size());
+  split.PointSources.reserve(vertices.size());
   std::vector<int> vertexOfFan(partners.size());
   for (const auto& [point, fan] : vertices)
   {

@@ -21,7 +21,7 @@ bool CrossOrCover(const Corners3& a, const Corners3& b)
 
 CollisionSearch::CollisionSearch(const SurfaceMesh& surface)
   : Surface(surface)
-  , Tree(BoxesOf(surface))
+  , Tree(FaceItems(surface))
   , FacesAtBuild(surface.number_of_faces())
   , CanSweepOver(!IsConnectedWithoutCopies(surface))
 {
@@ -65,7 +65,7 @@ bool CollisionSearch::Crosses(const Star& star, const Point& w) const
   }
   for (std::size_t i = 0; i < fan.size(); ++i)
   {
-    const Box box({ star.Link[i][0], star.Link[i][1], w });
+    const Box box = BoxAround({ star.Link[i][0], star.Link[i][1], w });
     if (this->AnyOutside(
           star, box, [&face = fan[i]](const Corners3& other) { return CrossOrCover(face, other); }))
     {
@@ -88,22 +88,20 @@ bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
         std::swap(swept[0], swept[1]);
       }
       return side != CGAL::COPLANAR &&
-        this->AnyOutside(star, Box({ corners[0], corners[1], corners[2], w }),
+        this->AnyOutside(star, BoxAround({ corners[0], corners[1], corners[2], w }),
           [&swept](const Corners3& face) { return Piercer(face).FindContact(swept).Exists(); });
     });
 }
 
-void CollisionSearch::Update(const Star& star, const Point& w)
+void CollisionSearch::Update(const Star& star)
 {
-  for (std::size_t i = 0; i < star.Faces.size(); ++i)
+  for (const Face face : star.Faces)
   {
-    const bool remains = i < star.Link.size();
-    this->Tree.Update(static_cast<int>(star.Faces[i]),
-      remains ? Box({ star.Link[i][0], star.Link[i][1], w }) : Box());
+    this->Tree.Update(static_cast<int>(face));
   }
   if (2 * this->Surface.number_of_faces() < this->FacesAtBuild)
   {
-    this->Tree = BoxTree(BoxesOf(this->Surface));
+    this->Tree.Rebuild();
     this->FacesAtBuild = this->Surface.number_of_faces();
   }
 }

@@ -6,7 +6,7 @@
 #ifndef carving_CollisionSearch_h
 #define carving_CollisionSearch_h
 
-#include "Helper/Decimation/BoxTree.h"
+#include "Core/Mesh/BoxTree.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
 namespace carving::helper
@@ -26,8 +26,8 @@ public:
    */
   bool IsFree(const Star& star, const Point& w) const;
 
-  /** Takes over that the faces of a star are those around w now, or have been removed. */
-  void Update(const Star& star, const Point& w);
+  /** Takes over that the faces of a star have changed or have been removed. */
+  void Update(const Star& star);
 
 private:
   template <class Predicate>
@@ -36,7 +36,7 @@ private:
   bool SweepsOver(const Star& star, const Point& w) const;
 
   const SurfaceMesh& Surface;
-  BoxTree Tree; ///< of the surface's faces
+  BoxTree<FaceItems> Tree;
   SurfaceMesh::size_type FacesAtBuild;
   bool CanSweepOver; ///< over a part of itself, without crossing it
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Decimator.h"
 
+#include "Core/Mesh/Box.h"
 #include "Helper/Base/Kernels.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -29,21 +30,20 @@ constexpr double Shares[] = { 1.0, 0.98, 0.7, 0.0 };
 
 } // namespace
 
-Decimator::Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle,
-  const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart, bool nested)
+Decimator::Decimator(
+  SurfaceMesh surface, const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart, bool nested)
   : Surface(std::move(surface))
   , History(this->Surface)
   , Collisions(this->Surface)
   , Queue(this->Surface)
-  , M(obstacle)
+  , M(fromM.GetTree())
   , FromM(fromM)
   , FromStart(fromStart)
   , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
   , Quadrics(this->Surface.num_vertices())
 {
-  Point lower, upper;
-  GetBounds(obstacle.Points, lower, upper);
+  const auto [lower, upper] = BoxAround(fromM.GetTree().GetItems().GetMesh().Points);
   this->Origin = Between(lower, upper, 0.5);
   this->AddPlanes();
 }
@@ -291,7 +291,7 @@ void Decimator::Collapse(HalfEdge edge, const Star& star, const Point& w)
   this->Surface.point(vertex) = w;
   this->History.AddCollapse(this->Surface, vertex, vertex == u ? v : u, star.Faces);
   this->Quadrics[vertex] = quadric;
-  this->Collisions.Update(star, w);
+  this->Collisions.Update(star);
   this->PushAround(vertex);
 }
 
@@ -330,7 +330,7 @@ void Decimator::MoveInward(Vertex vertex)
     {
       this->Surface.point(vertex) = w;
       this->History.AddMove(this->Surface, vertex, star.Faces);
-      this->Collisions.Update(star, w);
+      this->Collisions.Update(star);
       this->PushAround(vertex);
       return;
     }

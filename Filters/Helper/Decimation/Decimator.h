@@ -34,11 +34,11 @@ class Decimator
 {
 public:
   /**
-   * `obstacle` is M, which `surface` encloses. This and the distances, from M and from `surface` as
-   * given, must outlive this object.
+   * `surface` encloses M. The distances, from M and from `surface` as given, must outlive this
+   * object.
    */
-  Decimator(SurfaceMesh surface, const ResolvedMesh& obstacle, const FaceDistance<3>& fromM,
-    const FaceDistance<3>& fromStart, bool nested);
+  Decimator(SurfaceMesh surface, const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart,
+    bool nested);
 
   /** No face that a collapse makes may be farther from M. Bounds may only rise. */
   void SetErrorBound(double bound)
@@ -62,10 +62,15 @@ public:
     return this->Surface;
   }
 
-  /** The collapses up to now. */
-  const ChainRecorder& GetHistory() const
+  int GetNumberOfCollapses() const
   {
-    return this->History;
+    return this->History.GetNumberOfCollapses();
+  }
+
+  /** The collapses up to now. The decimator is of no use afterwards. */
+  ChainRecorder TakeHistory() &&
+  {
+    return std::move(this->History);
   }
 
 private:

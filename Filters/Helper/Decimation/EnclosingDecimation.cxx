@@ -61,14 +61,13 @@ SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
 }
 
 /** Hands on the history in terms of the given surface. */
-void HandOn(const Decimator& decimator, const ResolvedMesh& original, Decimation& result)
+void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& result)
 {
-  result.Chain = decimator.GetHistory().MakeChain(decimator.GetSurface());
+  std::move(history).Take(result.Chain, result.Points);
   for (ChainFace& face : result.Chain.Faces)
   {
     face.Source = original.FacetSources[face.Source];
   }
-  result.Points = decimator.GetHistory().GetPoints();
   result.PointSources = original.PointSources;
   result.PointSources.resize(result.Points.size(), -1);
 }
@@ -96,32 +95,14 @@ double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
   return largest;
 }
 
-} // namespace
-
-std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
-  const DecimationOptions& options, Decimation& result, const Progress& progress)
+/** Decimates a surface once per target. Returns an empty string, or an error. */
+std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
+  const DecimationOptions& options, const Progress& progress,
+  std::vector<DecimatedSurface>& results)
 {
-  ResolvedMesh original;
-  const std::string mistake = Prepare(given, original);
-  if (!mistake.empty())
-  {
-    return mistake;
-  }
-  const ResolvedMesh inside = Clean(AsResolved(mesh));
-  if (inside.Facets.empty())
-  {
-    return "The surface has no triangle with an area.";
-  }
-  const FaceDistance<3> fromM(inside);
-  std::optional<FaceDistance<3>> fromGiven;
-  if (&given != &mesh)
-  {
-    fromGiven.emplace(original);
-  }
-  Decimator decimator(
-    AsSurfaceMesh(original), inside, fromM, fromGiven ? *fromGiven : fromM, options.Nested);
+  const SurfaceMesh& surface = decimator.GetSurface();
   const bool byError = options.Type == DecimationTarget::ErrorBound;
-  const double all = std::log(static_cast<double>(original.Points.size()));
+  const double all = std::log(static_cast<double>(surface.number_of_vertices()));
   for (const double target : options.Targets)
   {
     if (byError)
@@ -129,7 +110,6 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
       // The measured error may be 1 % too large; it has to be within the bound, too.
       decimator.SetErrorBound(target / 1.01);
     }
-    const SurfaceMesh& surface = decimator.GetSurface();
     bool stopped = false;
     long long calls = 0;
     const auto mayGoOn = [&]
@@ -153,11 +133,47 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     {
       return "stopped";
     }
-    const double error = MeasureError(decimator.GetSurface(), fromM);
-    result.Surfaces.push_back({ decimator.GetHistory().GetNumberOfCollapses(),
-      byError ? error <= target : reached, error });
+    const double error = MeasureError(surface, fromM);
+    results.push_back(
+      { decimator.GetNumberOfCollapses(), byError ? error <= target : reached, error });
   }
-  HandOn(decimator, original, result);
+  return {};
+}
+
+} // namespace
+
+std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
+  const DecimationOptions& options, Decimation& result, const Progress& progress)
+{
+  ResolvedMesh original;
+  std::string mistake = Prepare(given, original);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  std::optional<ChainRecorder> history; // the chain is made when all else has been released
+  {
+    const ResolvedMesh inside = Clean(AsResolved(mesh));
+    if (inside.Facets.empty())
+    {
+      return "The surface has no triangle with an area.";
+    }
+    const FaceDistance<3> fromM(inside);
+    std::optional<FaceDistance<3>> fromGiven;
+    if (&given != &mesh)
+    {
+      fromGiven.emplace(original);
+    }
+    Decimator decimator(
+      AsSurfaceMesh(original), fromM, fromGiven ? *fromGiven : fromM, options.Nested);
+    mistake = Decimate(decimator, fromM, options, progress, result.Surfaces);
+    if (!mistake.empty())
+    {
+      return mistake;
+    }
+    history = std::move(decimator).TakeHistory();
+  }
+  HandOn(*std::move(history), original, result);
   GoOn(progress, 1.0);
   return {};
 }

@@ -27,7 +27,7 @@ bool ProjectsInto(
 
 SweptFace::SweptFace(
   const Point& a, const Point& b, const Point& from, const Point& to, double margin)
-  : Bounds({ a, b, from, to })
+  : Bounds(BoxAround({ a, b, from, to }))
 {
   const auto makeSlab = [&](const Point& w, const Point& other)
   {

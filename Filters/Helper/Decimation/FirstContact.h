@@ -6,7 +6,7 @@
 #ifndef carving_FirstContact_h
 #define carving_FirstContact_h
 
-#include "Helper/Decimation/BoxTree.h"
+#include "Core/Mesh/Box.h"
 #include "Helper/Decimation/HalfSpaces.h"
 
 #include <optional>
@@ -78,7 +78,7 @@ public:
   /** The box of the way of w. */
   Box GetPath() const
   {
-    return Box({ this->From, this->From + this->Along });
+    return BoxAround({ this->From, this->From + this->Along });
   }
 
   /** The motion of a face of the fan until the first contact so far. */

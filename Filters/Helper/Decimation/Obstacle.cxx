@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Obstacle.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Buckets.h"
-#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Enclosing/Pierce.h"
 
@@ -16,37 +16,24 @@ namespace
 /** The distance that contacts leave, as a fraction of M's diagonal: well above rounding errors. */
 constexpr double RelativeMargin = 2e-9;
 
-std::vector<Box> BoxesOf(const ResolvedMesh& mesh)
-{
-  std::vector<Box> boxes(mesh.Facets.size());
-  for (std::size_t t = 0; t < boxes.size(); ++t)
-  {
-    for (const int corner : mesh.Facets[t])
-    {
-      boxes[t].Add(mesh.Points[corner]);
-    }
-  }
-  return boxes;
-}
-
 } // namespace
 
-Obstacle::Obstacle(const ResolvedMesh& mesh)
-  : Mesh(mesh)
-  , Tree(BoxesOf(mesh))
-  , Margin(RelativeMargin * Diagonal(mesh.Points))
+Obstacle::Obstacle(const FacetTree<3>& tree)
+  : Tree(tree)
+  , Margin(RelativeMargin * Diagonal(tree.GetItems().GetMesh().Points))
 {
   this->AssignVerticesAndEdges();
 }
 
 void Obstacle::AssignVerticesAndEdges()
 {
-  const std::vector<Triangle>& triangles = this->Mesh.Facets;
+  const ResolvedMesh& mesh = this->Tree.GetItems().GetMesh();
+  const std::vector<Triangle>& triangles = mesh.Facets;
   this->Vertices.assign(triangles.size(), 0);
   this->Edges.assign(triangles.size(), 0);
-  std::vector<char> isAssigned(this->Mesh.Points.size(), 0);
+  std::vector<char> isAssigned(mesh.Points.size(), 0);
   using Edge = std::array<int, 2>; // the greater end; 3 * triangle + corner
-  Buckets<Edge> edges(this->Mesh.Points.size(),
+  Buckets<Edge> edges(mesh.Points.size(),
     [&](auto&& visit)
     {
       for (int t = 0; t < static_cast<int>(triangles.size()); ++t)
@@ -87,7 +74,7 @@ std::optional<FirstContact> Obstacle::FindContact(
   this->Tree.ForEachOverlap(search.GetPath(),
     [&](int t)
     {
-      const auto [p, q, r] = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
+      const auto [p, q, r] = this->Tree.GetItems().CornersOf(t);
       search.AddTriangle(p, q, r);
     });
   for (std::size_t face = 0; face < search.GetNumberOfFaces(); ++face)
@@ -98,7 +85,7 @@ std::optional<FirstContact> Obstacle::FindContact(
       [&](int t)
       {
         const double time = search.GetTime();
-        const auto corners = CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]);
+        const auto corners = this->Tree.GetItems().CornersOf(t);
         for (int k = 0; k < 3; ++k)
         {
           if (this->Vertices[t] >> k & 1)
@@ -132,12 +119,12 @@ bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, con
   {
     // w is behind the face, so that this order is positive.
     const Corners4 tetrahedron = { ToInexact(a), ToInexact(c), ToInexact(b), ToInexact(w) };
-    this->Tree.ForEachOverlap(Box({ a, b, c, w }),
+    this->Tree.ForEachOverlap(BoxAround({ a, b, c, w }),
       [&](int t)
       {
         if (allowed)
         {
-          const Corners3 corners = ToInexact(CornersOf<3>(this->Mesh.Points, this->Mesh.Facets[t]));
+          const Corners3 corners = ToInexact(this->Tree.GetItems().CornersOf(t));
           allowed = !Piercer(corners).FindContact(tetrahedron).Exists();
         }
       });

@@ -6,8 +6,7 @@
 #ifndef carving_Obstacle_h
 #define carving_Obstacle_h
 
-#include "Core/Mesh/Mesh.h"
-#include "Helper/Decimation/BoxTree.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Helper/Decimation/FirstContact.h"
 
 #include <optional>
@@ -19,8 +18,8 @@ namespace carving::helper
 class Obstacle
 {
 public:
-  /** `mesh` must outlive this object. */
-  explicit Obstacle(const ResolvedMesh& mesh);
+  /** The tree of M must outlive this object. */
+  explicit Obstacle(const FacetTree<3>& tree);
 
   /** The first contact of a fan while its vertex w moves; in floating point. */
   std::optional<FirstContact> FindContact(const Fan& fan, const Point& from, const Point& to) const;
@@ -35,8 +34,7 @@ public:
 private:
   void AssignVerticesAndEdges();
 
-  const ResolvedMesh& Mesh;
-  BoxTree Tree;
+  const FacetTree<3>& Tree;
   /**
    * Bit k: the search for contacts takes corner k from this triangle. So for edges, from corner k
    * on.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Placement.h"
 
+#include "Core/Mesh/Box.h"
 #include "Helper/Base/Kernels.h"
 
 #include <algorithm>

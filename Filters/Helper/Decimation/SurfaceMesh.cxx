@@ -52,17 +52,10 @@ bool IsConnectedWithoutCopies(const SurfaceMesh& mesh)
     std::adjacent_find(points.begin(), points.end()) == points.end();
 }
 
-std::vector<Box> BoxesOf(const SurfaceMesh& mesh)
+Box FaceItems::BoxOf(int face) const
 {
-  std::vector<Box> boxes(mesh.num_faces());
-  for (const Face face : mesh.faces())
-  {
-    for (const Point& p : CornersOf(mesh, face))
-    {
-      boxes[face].Add(p);
-    }
-  }
-  return boxes;
+  const Face index(face);
+  return this->Surface->is_removed(index) ? Box() : BoxAround(CornersOf(*this->Surface, index));
 }
 
 Star::Star(const SurfaceMesh& mesh, HalfEdge edge)

@@ -6,7 +6,7 @@
 #ifndef carving_SurfaceMesh_h
 #define carving_SurfaceMesh_h
 
-#include "Helper/Decimation/BoxTree.h"
+#include "Core/Mesh/BoxTree.h"
 #include "Helper/Decimation/FirstContact.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -30,8 +30,25 @@ std::vector<Point> PointsOf(const SurfaceMesh& mesh);
 /** Whether the surface has a single component, and no two vertices at the same position. */
 bool IsConnectedWithoutCopies(const SurfaceMesh& mesh);
 
-/** The box of each face; empty for removed ones. */
-std::vector<Box> BoxesOf(const SurfaceMesh& mesh);
+/** The faces of a surface as items of a tree. The boxes of removed ones are empty. */
+class FaceItems
+{
+public:
+  /** The surface must outlive this object. */
+  explicit FaceItems(const SurfaceMesh& surface)
+    : Surface(&surface)
+  {
+  }
+
+  std::size_t GetNumberOfItems() const
+  {
+    return this->Surface->number_of_faces() + this->Surface->number_of_removed_faces();
+  }
+  Box BoxOf(int face) const;
+
+private:
+  const SurfaceMesh* Surface;
+};
 
 /** The faces around the ends of an edge that may collapse, or around a vertex that may move. */
 struct Star

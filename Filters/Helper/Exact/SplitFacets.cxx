@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Exact/SplitFacets.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/CoplanarTriangles.h"
@@ -42,8 +43,7 @@ bool IsOn(const Corners& t, const Point& p, double rounding)
 /** A bound on the rounding error of distances between the points. */
 double RoundingOf(const std::vector<Point>& points)
 {
-  Point lower, upper;
-  GetBounds(points, lower, upper);
+  const auto [lower, upper] = BoxAround(points);
   return 1e-12 * (Length(lower) + Length(upper) + Length(upper - lower));
 }
 

@@ -2,6 +2,7 @@
 #include "Helper/Plane/Triangulate.h"
 
 #include "Core/Mesh/Adjacency.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/GrownBox.h"
 #include "Helper/Plane/InitialContour.h"
@@ -60,8 +61,7 @@ private:
 /** The corners of the rectangle around the points, grown by BoxMargin of its diagonal. */
 std::vector<Point> GrownRectangle(const std::vector<Point>& points)
 {
-  Point lower, upper;
-  GetBounds(points, lower, upper);
+  const auto [lower, upper] = BoxAround(points);
   const double margin = BoxMargin * Length(Flat(upper - lower));
   const Height height(points);
   std::vector<Point> corners;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Recovery/Enclose.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
 #include "Helper/Enclosing/Refine.h"

@@ -87,6 +87,7 @@ ResolvedMesh AsResolved(const TriangleMesh& given)
 ResolvedMesh Clean(const ResolvedMesh& mesh)
 {
   ResolvedMesh result;
+  result.Facets.reserve(mesh.Facets.size());
   const std::vector<int> first = FirstEqualPoints<3>(mesh.Points);
   for (std::size_t i = 0; i < mesh.Facets.size(); ++i)
   {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Carving/Priority.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "SmallMeshes.h"
 

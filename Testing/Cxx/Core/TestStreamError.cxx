@@ -4,6 +4,7 @@
  * How far approximations are from the mesh.
  */
 #include "Core/Measure/StreamError.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
@@ -95,8 +96,7 @@ TEST(FaceDistance, BoundsAFaceAboveAPlane)
   mesh.Points = sheet.Points;
   mesh.Facets = sheet.Triangles;
   const double size = Diagonal(mesh.Points), height = 1e-6 * size;
-  Point lower, upper;
-  GetBounds(mesh.Points, lower, upper);
+  const auto [lower, upper] = BoxAround(mesh.Points);
   FacetCorners<3> face = { lower, { upper[0], lower[1], lower[2] }, upper };
   for (Point& corner : face)
   {

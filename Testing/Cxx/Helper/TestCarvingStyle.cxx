@@ -9,6 +9,7 @@
 #include "Core/Carving/Carver.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Measure/Profile.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Stream/Level.h"
 #include "Figures.h"

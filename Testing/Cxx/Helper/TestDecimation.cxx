@@ -4,6 +4,7 @@
  * Decimation of closed surfaces, judged in exact arithmetic.
  */
 #include "Checks.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Helper/Decimation/EnclosingDecimation.h"

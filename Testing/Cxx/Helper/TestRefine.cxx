@@ -5,6 +5,7 @@
  */
 #include "Blocks.h"
 #include "Checks.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Enclosing/Refine.h"
 #include "Helper/Resolve/Clean.h"

@@ -26,13 +26,17 @@ constexpr int NumberOfOrders = 2;
 constexpr int NumberOfSnappedOrders = 3; ///< on each grid
 constexpr int NumberOfGrids = 3;
 constexpr double GridRatio = 8.0; ///< between the spacings of one grid and the next
-/** Auto does not resolve a mesh that has more crossings per triangle. */
-constexpr double MaximumCrossings = 2.0;
-
+/**
+ * Auto does not resolve a mesh with more pairs of triangles that cross: TetGen would fail. Every
+ * crossing may be the one at which it fails, so that their number matters, but on large meshes
+ * crossings are farther apart. Of measured meshes with more, none came through; with fewer, most.
+ */
 double MaximumPairs(const Job& job, std::size_t numberOfFacets)
 {
-  return job.Conformity == Conformity::Auto ? MaximumCrossings * static_cast<double>(numberOfFacets)
-                                            : HUGE_VAL;
+  const double facets = static_cast<double>(numberOfFacets);
+  return job.Conformity == Conformity::Auto
+    ? std::min(2.0 * facets, std::max(15000.0, 0.4 * facets))
+    : HUGE_VAL;
 }
 
 /** Resolves M and C0 together, so that they meet in common vertices and edges only. */

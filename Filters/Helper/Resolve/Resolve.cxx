@@ -124,7 +124,7 @@ std::string Resolve(
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
     return std::to_string(pairs.size()) +
-      " pairs of triangles cross each other: resolving them would multiply the mesh.";
+      " pairs of triangles cross each other, too many to be resolved.";
   }
   int explosions = 0;
   for (int round = 0; !pairs.empty(); ++round)

@@ -5,6 +5,7 @@
 #include "Helper/Attempts/Log.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Intersections.h"
 #include "HelperRun.h"
 #include "RandomModels.h"
 #include "Shapes.h"
@@ -171,6 +172,20 @@ TEST(Strategies, SplitTrianglesIfNecessary)
       result.Surface.Multiplicities[i] * area(result.Surface.Points, result.Surface.Facets[i]);
   }
   EXPECT_NEAR(split, given, 1e-9 * given);
+}
+
+// Auto does not resolve a mesh with more than two crossings per triangle; exact tries it.
+TEST(Strategies, ForeseeThatTooManyCrossingsFail)
+{
+  std::mt19937_64 random(1);
+  const TriangleMesh soup = models::Soup(100, random);
+  ASSERT_GT(FindIntersections(soup.Points, soup.Triangles).size(), 2 * soup.Triangles.size());
+  const std::string words = "too many to be resolved";
+  const Reply any = GetReply(MakeJob(soup, Conformity::Auto));
+  EXPECT_NE(any.Attempts.find(words), std::string::npos) << any.Attempts;
+  EXPECT_EQ(any.Strategy, "Delaunay, enclosing");
+  const HelperRun exact = RunHelper(MakeJob(soup, Conformity::Exact, Patience));
+  EXPECT_EQ(exact.Reply.Error.find(words), std::string::npos) << exact.Reply.Error;
 }
 
 // Where TetGen fails, the result is an error with EXACT and an enclosing tetrahedralization with

@@ -100,9 +100,9 @@ TEST(Recovery, SwapsDiagonalsOfTheHull)
 TEST(Recovery, MeetsRandomMeshes)
 {
   std::mt19937_64 random(21);
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_RECOVERIES", 30);
   int met = 0;
-  constexpr int Count = 30;
-  for (int i = 0; i < Count; ++i)
+  for (int i = 0; i < count; ++i)
   {
     SCOPED_TRACE("mesh " + std::to_string(i));
     Tetrahedralization mesh;
@@ -116,6 +116,7 @@ TEST(Recovery, MeetsRandomMeshes)
     }
   }
   EXPECT_GT(met, 0);
+  RecordProperty("Met", met);
 }
 
 // Schönhardt's polyhedron, a twisted prism, cannot be filled without a further point.

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <new>
-#include <unordered_map>
 
 namespace carving::helper
 {
@@ -96,25 +95,6 @@ void CopyCells(const tetgenio& out, Tetrahedralization& result)
   }
 }
 
-struct TriangleHash
-{
-  std::size_t operator()(const Triangle& t) const
-  {
-    std::size_t hash = 0;
-    for (const int corner : t)
-    {
-      hash = (hash ^ static_cast<std::size_t>(corner)) * 0x9E3779B97F4A7C15u;
-    }
-    return hash ^ (hash >> 32);
-  }
-};
-
-Triangle Sorted(Triangle t)
-{
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 /** The number of cells that are flat or inside out. Exact. If it is 0, no cells overlap. */
 std::ptrdiff_t CountInvertedCells(const Tetrahedralization& result)
 {
@@ -127,14 +107,41 @@ std::ptrdiff_t CountInvertedCells(const Tetrahedralization& result)
     });
 }
 
+Triangle Sorted(Triangle t)
+{
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
+/** A triangle of M in the bucket of its least corner. */
+struct SortedFacet
+{
+  std::array<int, 2> Greater; ///< the other corners, ascending
+  int Index;
+
+  bool operator<(const SortedFacet& other) const
+  {
+    return this->Greater < other.Greater;
+  }
+};
+
 /** Finds the triangles of M among the faces; returns the number of missing triangles. */
 std::size_t FindConstraints(Tetrahedralization& result)
 {
-  std::unordered_map<Triangle, int, TriangleHash> triangles;
-  triangles.reserve(result.Surface.Facets.size());
-  for (std::size_t i = 0; i < result.Surface.Facets.size(); ++i)
+  const std::vector<Triangle>& triangles = result.Surface.Facets;
+  // Cells are in the order of their least corners, so that searches in buckets stay near in memory.
+  Buckets<SortedFacet> facets(result.Surface.Points.size(),
+    [&](const auto& visit)
+    {
+      for (std::size_t i = 0; i < triangles.size(); ++i)
+      {
+        const auto [least, middle, greatest] = Sorted(triangles[i]);
+        visit(least, SortedFacet{ { middle, greatest }, static_cast<int>(i) });
+      }
+    });
+  for (int point = 0; point < facets.GetNumberOfBuckets(); ++point)
   {
-    triangles.emplace(Sorted(result.Surface.Facets[i]), static_cast<int>(i));
+    std::sort(facets[point].begin(), facets[point].end());
   }
   std::vector<char> found(triangles.size(), 0);
   result.Constraints.resize(result.Cells.size());
@@ -142,11 +149,15 @@ std::size_t FindConstraints(Tetrahedralization& result)
   {
     for (int f = 0; f < 4; ++f)
     {
-      const auto triangle = triangles.find(Sorted(result.OutwardFace(static_cast<int>(cell), f)));
-      result.Constraints[cell][f] = triangle == triangles.end() ? -1 : triangle->second;
-      if (triangle != triangles.end())
+      const auto [least, middle, greatest] = Sorted(result.OutwardFace(static_cast<int>(cell), f));
+      const SortedFacet face = { { middle, greatest }, -1 };
+      const auto bucket = facets[least];
+      const auto facet = std::lower_bound(bucket.begin(), bucket.end(), face);
+      const bool matches = facet != bucket.end() && facet->Greater == face.Greater;
+      result.Constraints[cell][f] = matches ? facet->Index : -1;
+      if (matches)
       {
-        found[triangle->second] = 1;
+        found[facet->Index] = 1;
       }
     }
   }

@@ -13,6 +13,12 @@ namespace carving::helper
 namespace
 {
 
+/**
+ * The number of boxes from which on CGAL divides them. On meshes without crossings, the default of
+ * 10 takes 1.7 times as long.
+ */
+constexpr std::ptrdiff_t ScanSize = 1000;
+
 Corners3 CornersOf(const std::vector<Point>& points, const Triangle& t)
 {
   return { ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]) };
@@ -32,7 +38,8 @@ std::vector<std::pair<int, int>> FindIntersections(
     boxes.emplace_back(bounds, static_cast<int>(boxes.size()));
   }
   std::vector<std::pair<int, int>> pairs;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
+  CGAL::box_self_intersection_d(
+    boxes.begin(), boxes.end(),
     [&](const IndexedBox& a, const IndexedBox& b)
     {
       if (TrianglesCross(
@@ -40,7 +47,8 @@ std::vector<std::pair<int, int>> FindIntersections(
       {
         pairs.push_back(std::minmax(a.Index, b.Index));
       }
-    });
+    },
+    ScanSize, CGAL::Box_intersection_d::CLOSED);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

@@ -136,8 +136,10 @@ PROPERTY OPTIONS
 constexpr const char* TextAfterProperties = R"(OUTPUT
     The table goes to standard output. Its columns are the level, the step (the number
     of carving steps), vertices and triangles, and the components, tunnels and voids
-    (hollows) of the closed space that the level bounds. A last line has the seconds
-    of each stage. Progress is shown on standard error if that is a terminal.
+    (hollows) of the closed space that the level bounds. A line before the table has
+    the number of tetrahedra of the carving and the strategy that made them. A last
+    line has the seconds of each stage. Progress is shown on standard error if that is
+    a terminal.
 
 EXIT STATUS
     0   success

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LevelTable.h"
 
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -33,6 +37,20 @@ void LevelTable::PrintLevels(vtkMultiBlockDataSet* levels, bool contours)
       GetNumber(level, "Vertices").c_str(), GetNumber(level, "Triangles").c_str(),
       GetNumber(level, "Components").c_str(), GetNumber(level, "Tunnels").c_str(),
       GetNumber(level, "Voids").c_str());
+  }
+}
+
+void LevelTable::PrintStream(vtkUnstructuredGrid* stream, bool contours)
+{
+  auto* strategy =
+    vtkStringArray::SafeDownCast(stream->GetFieldData()->GetAbstractArray("Strategy"));
+  if (strategy) // an empty input has none
+  {
+    vtkUnsignedCharArray* types = stream->GetCellTypesArray();
+    const auto number =
+      std::count(types->Begin(), types->End(), contours ? VTK_TRIANGLE : VTK_TETRA);
+    std::printf("stream: %lld %s (%s)\n", static_cast<long long>(number),
+      contours ? "triangles" : "tetrahedra", strategy->GetValue(0).c_str());
   }
 }
 

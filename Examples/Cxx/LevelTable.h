@@ -3,6 +3,7 @@
 #define LevelTable_h
 
 class vtkMultiBlockDataSet;
+class vtkUnstructuredGrid;
 
 /** Prints the levels of one input to standard output. */
 namespace LevelTable
@@ -10,6 +11,9 @@ namespace LevelTable
 
 /** Steps, sizes and topology of levels. */
 void PrintLevels(vtkMultiBlockDataSet* levels, bool contours);
+
+/** The number of tetrahedra (in the plane, triangles) of a stream, and the strategy that made them. */
+void PrintStream(vtkUnstructuredGrid* stream, bool contours);
 
 /** Sizes and errors of decimated surfaces. */
 void PrintSurfaces(vtkMultiBlockDataSet* surfaces);

@@ -295,10 +295,15 @@ int CarveMesh(const Options& options, ErrorLog* log)
   {
     seconds += ", " + Describe(carver->GetStageName(stage), carver->GetStageSeconds(stage));
   }
+  auto* stream = vtkUnstructuredGrid::SafeDownCast(carver->GetOutputDataObject(1));
+  if (stream) // a scene has several
+  {
+    LevelTable::PrintStream(stream, options.Contours);
+  }
   if (log->Errors.empty() && !options.Stream.empty())
   {
     clock.Lap();
-    if (!XmlFile::Write(options.Stream, carver->GetOutputDataObject(1)))
+    if (!XmlFile::Write(options.Stream, stream))
     {
       return Fail("cannot write " + options.Stream);
     }

@@ -10,13 +10,12 @@
 namespace
 {
 
-/** Fills all of the result except the errors. Returns false if the filter is to stop. */
+/** Classifies and carves. Returns false if the filter is to stop. */
 template <int D>
 bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
-  CarvedLeaf<D>& carved)
+  carving::Classification& regions, carving::Stream& stream, CarvedLeaf<D>& carved)
 {
   const carving::Decomposition<D>& mesh = Kind<D>::GetResult(leaf.Reply);
-  carving::Classification regions;
   {
     const CarverStages::Timer timer(stages, ClassifyStage);
     regions = carving::Classify(mesh, settings.Solid);
@@ -33,7 +32,6 @@ bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carver
   {
     options.Depths = ComputeInitialDistances(mesh);
   }
-  carving::Stream stream;
   if (!carving::Carve(mesh, regions, options, stream,
         [&stages](double fraction) { return stages.Report(CarveStage, fraction); }))
   {
@@ -50,26 +48,26 @@ bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carver
   }
   carved.Stream.Measure = options.Measure;
   carved.Stream.Folds = settings.Folds;
-  carved.Profile = carving::ComputeProfile(carved.Stream);
-  carving::SetTopology(carved.Profile, mesh, regions, stream);
   return true;
 }
 
 /**
- * Fills the errors of the profile if the settings ask for them. Returns false if the filter is to
+ * Fills the profile, with errors if the settings ask for them. Returns false if the filter is to
  * stop.
  */
 template <int D>
 bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
-  CarvedLeaf<D>& carved)
+  const carving::Classification& regions, const carving::Stream& stream, CarvedLeaf<D>& carved)
 {
+  const CarverStages::Timer timer(stages, MeasureStage);
+  carved.Profile = carving::ComputeProfile(carved.Stream);
+  carving::SetTopology(carved.Profile, Kind<D>::GetResult(leaf.Reply), regions, stream);
   const bool byTarget =
     !settings.LevelTargets.empty() && settings.TargetType == carving::LevelTarget::ErrorBound;
   if (!settings.ComputeError && !byTarget)
   {
     return true;
   }
-  const CarverStages::Timer timer(stages, MeasureStage);
   const carving::ResolvedInput<D>& unresolved = Kind<D>::GetResult(leaf.Reply).Unresolved;
   const bool conforming = unresolved.Facets.empty();
   return carving::ComputeErrors(carved.Stream, conforming ? carved.Stream.Mesh.Surface : unresolved,
@@ -83,7 +81,10 @@ template <int D>
 bool CarveLeaf(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
   CarvedLeaf<D>& carved)
 {
-  return Carve(leaf, settings, stages, carved) && Measure(leaf, settings, stages, carved);
+  carving::Classification regions;
+  carving::Stream stream;
+  return Carve(leaf, settings, stages, regions, stream, carved) &&
+    Measure(leaf, settings, stages, regions, stream, carved);
 }
 
 template bool CarveLeaf<2>(

@@ -116,6 +116,29 @@ TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m)
   return mesh;
 }
 
+TriangleMesh BumpyTorus(int points)
+{
+  const double ratio = 3.0; // of the two circumferences
+  const int m = static_cast<int>(std::lround(std::sqrt(points / ratio)));
+  const int n = points / m;
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      // Bumps across both directions leave no symmetry, and so no more than four points on a sphere.
+      const double u = 2 * Pi * i / n, v = 2 * Pi * j / m;
+      const double bumps = std::sin(7 * u + 2 * v + 1) * std::sin(3 * v - 2 * u + 2) +
+        0.5 * std::sin(11 * u - 4 * v + 3);
+      const double minorRadius = 0.33 * (1 + 0.3 * bumps);
+      const double r = 1 + minorRadius * std::cos(v);
+      mesh.Points.push_back({ r * std::cos(u), r * std::sin(u), minorRadius * std::sin(v) });
+    }
+  }
+  AddGrid(mesh, n, m, true);
+  return mesh;
+}
+
 TriangleMesh Sheet(int n)
 {
   TriangleMesh mesh;

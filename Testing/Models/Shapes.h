@@ -20,6 +20,11 @@ TriangleMesh Box(const carving::Point& lower, const carving::Point& upper);
 TriangleMesh Sphere(int subdivisions);
 /** A torus around the z axis: n x m quadrilaterals, split in two. */
 TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m);
+/**
+ * A torus with irregular bumps, of about so many points, but at least 300: a mesh of any size for
+ * measurements.
+ */
+TriangleMesh BumpyTorus(int points);
 /** An open sheet over the unit square in the xy plane, n x n quadrilaterals, split in two. */
 TriangleMesh Sheet(int n);
 

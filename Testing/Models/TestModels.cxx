@@ -144,6 +144,17 @@ TEST(Implicit, SmoothMinAndMax)
   EXPECT_DOUBLE_EQ(SmoothMax(1.0, 1.5, 0.4), 1.5);
 }
 
+// A bumpy torus is one solid of genus 1 with nearly as many points as asked for.
+TEST(ShapeModels, BumpyTorus)
+{
+  for (const int points : { 300, 1000, 20000 })
+  {
+    const TriangleMesh mesh = BumpyTorus(points);
+    ExpectSolids(mesh, 1, 1);
+    EXPECT_NEAR(static_cast<double>(mesh.Points.size()), points, 0.05 * points);
+  }
+}
+
 // The solids of the figures are closed, manifold, oriented outward and of the stated genus.
 TEST(FigureModels, Solids)
 {

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * carving-model: writes the models of the paper's figures to files.
+ * carving-model: writes the models of the paper's figures, and models of any size, to files.
  */
 #include "Blocks.h"
 #include "Contours.h"
 #include "Figures.h"
 #include "ModelFile.h"
+#include "Shapes.h"
 
+#include <cstdlib>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -19,10 +21,12 @@ constexpr int Success = 0;
 constexpr int Failure = 1;
 constexpr int WrongUsage = 2;
 
-constexpr const char* Usage =
-  "usage: carving-model NAME FILE...\n"
-  "       carving-model --list\n"
-  "Writes a model to files: a mesh to .ply or .off, a contour to .vtk.\n";
+constexpr const char* Usage = "usage: carving-model NAME FILE...\n"
+                              "       carving-model bumpy-torus:VERTICES|tree:VERTICES FILE...\n"
+                              "       carving-model --list\n"
+                              "Writes a model to files: a mesh to .ply or .off, a contour to .vtk. "
+                              "VERTICES is the approximate\n"
+                              "number of vertices, 1000 to 10000000.\n";
 
 /** Writes a model to a file. Returns an empty string or an error. */
 using Writer = std::function<std::string(const std::string& fileName)>;
@@ -44,6 +48,35 @@ const std::map<std::string, Writer> Writers = {
   { "two-spheres", WriterOf(models::TwoSpheres) },
   { "yucca-leaves", WriterOf(models::YuccaLeaves) },
 };
+
+using Maker = models::TriangleMesh (*)(int vertices);
+
+models::TriangleMesh TreeOf(int vertices)
+{
+  const double ofLeaf = 4.66; // its own four, and its share of the limbs
+  return models::Tree(static_cast<int>(vertices / ofLeaf));
+}
+
+const std::map<std::string, Maker> Makers = {
+  { "bumpy-torus", models::BumpyTorus },
+  { "tree", TreeOf },
+};
+
+/** The writer of a model. Empty if there is no such model. */
+Writer FindWriter(const std::string& text)
+{
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos)
+  {
+    const auto found = Writers.find(text);
+    return found == Writers.end() ? Writer() : found->second;
+  }
+  const auto found = Makers.find(text.substr(0, colon));
+  const int vertices = std::atoi(text.c_str() + colon + 1);
+  return found == Makers.end() || vertices < 1000 || vertices > 10000000
+    ? Writer()
+    : WriterOf([=] { return found->second(vertices); });
+}
 
 int Fail(const std::string& error, int exitCode)
 {
@@ -74,14 +107,15 @@ int main(int argc, char* argv[])
     std::cerr << Usage;
     return WrongUsage;
   }
-  const auto found = Writers.find(first);
-  if (found == Writers.end())
+  const Writer write = FindWriter(first);
+  if (!write)
   {
-    return Fail("there is no model \"" + first + "\" (see carving-model --list)", WrongUsage);
+    return Fail(
+      "there is no model \"" + first + "\" (see carving-model --help and --list)", WrongUsage);
   }
   for (int i = 2; i < argc; ++i)
   {
-    const std::string error = found->second(argv[i]);
+    const std::string error = write(argv[i]);
     if (!error.empty())
     {
       return Fail(error, Failure);

@@ -19,7 +19,7 @@ import unittest
 
 from meshes import two_cubes
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkCompositeDataSet, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkCompositeDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
@@ -120,8 +120,17 @@ class TestCarve(unittest.TestCase):
         self.assertEqual(rows[0][4:], (1, 0, 0))  # a convex hull
         self.assertEqual([row[4] for row in rows], sorted(row[4] for row in rows))
         output = self.run_carve(BONES).stdout
-        for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "output"):
+        for stage in ("read", "clean", "resolve", "tetrahedralize", "transfer", "classify", "carve", "measure",
+                      "output"):
             self.assertRegex(output, rf"{stage} \d+\.\d\d\d")
+
+    def test_prints_the_number_of_tetrahedra(self):
+        """The number is that of the tetrahedra in the stored stream, and the strategy beside it made them."""
+        output = self.run_carve(BONES, "--stream", "out.vtu").stdout
+        stream = read(vtkXMLUnstructuredGridReader, self.path("out.vtu"))
+        types = [stream.GetCellType(i) for i in range(stream.GetNumberOfCells())]
+        strategy = stream.GetFieldData().GetAbstractArray("Strategy").GetValue(0)
+        self.assertIn(f"\nstream: {types.count(VTK_TETRA)} tetrahedra ({strategy})\n", output)
 
     def test_carves_several_inputs(self):
         """Several inputs are blocks of one output, named and in order, whatever the number of threads."""
@@ -494,6 +503,8 @@ class TestCarve(unittest.TestCase):
         # Six of the eight corners of the U lie on the square.
         self.assertEqual((rows[0][2:], rows[-1][2:]), ((6, 6, 1, 0, 0), (8, 8, 1, 0, 0)))
         self.assertEqual(read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetNumberOfBlocks(), len(rows))
+        # In the plane, the stream has the solid's triangles, too. Eight points with six on the square make 2 * 8 - 6 - 2.
+        self.assertRegex(self.run_carve("u.vtp", "--contours").stdout, r"\nstream: 8 triangles \(.+\)\n")
         self.assertIn("--contours", self.run_carve("u.vtp").stderr)
         self.assertEqual(self.run_carve("u.vtp", "--contours", "-o", "levels.stl").returncode, 2)
 

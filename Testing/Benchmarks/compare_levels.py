@@ -19,30 +19,17 @@ import time
 
 import numpy as np
 from level_pictures import Page, Silhouettes
+from mesh_files import to_arrays, write_off
+from peers import run_alpha_wrap, run_filter
 from show_levels import read_levels
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from surfaces import read
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
 TARGETS = (200, 500, 1000, 2000, 5000)
 SAMPLES = 20000
-
-
-def read_off(path):
-    with open(path, encoding="ascii") as file:
-        words = file.read().split()
-    count, faces = int(words[1]), int(words[2])
-    points = np.array(words[4:4 + 3 * count], dtype=float).reshape(-1, 3)
-    cells = np.array(words[4 + 3 * count:4 + 3 * count + 4 * faces], dtype=np.int64).reshape(-1, 4)
-    return points, cells[:, 1:]
-
-
-def write_off(path, points, triangles):
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"OFF\n{len(points)} {len(triangles)} 0\n")
-        np.savetxt(file, points, "%.17g")
-        np.savetxt(file, np.insert(triangles, 0, 3, axis=1), "%d")
 
 
 def to_poly_data(points, triangles):
@@ -53,10 +40,6 @@ def to_poly_data(points, triangles):
         cells.InsertNextCell(3, triangle.tolist())
     data.SetPolys(cells)
     return data
-
-
-def to_arrays(data):
-    return vtk_to_numpy(data.GetPoints().GetData()), vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 
 
 def random_points(points, triangles):
@@ -118,19 +101,16 @@ def run_carve(carve, path, targets, folder, *options):
     return [(level, seconds if i == 0 else None) for i, level in enumerate(read_levels(output))]
 
 
-def run_alpha_wrap(program, path, target, folder):
+def wrap(program, path, target, folder):
     output = os.path.join(folder, "wrap.off")
-    run = subprocess.run([program, path, output, str(target)], check=True, capture_output=True, text=True)
-    return to_poly_data(*read_off(output)), float(run.stdout)
+    seconds = run_alpha_wrap(program, path, str(target), output)
+    return read(output), seconds
 
 
 def run_quadric(mesh, target):
     decimation = vtkQuadricDecimation()
-    decimation.SetInputData(to_poly_data(*mesh))
     decimation.SetTargetReduction(max(0.0, 1.0 - 2.0 * target / len(mesh[1])))
-    start = time.perf_counter()
-    decimation.Update()
-    seconds = time.perf_counter() - start
+    seconds = run_filter(decimation, to_poly_data(*mesh))
     points, triangles = to_arrays(decimation.GetOutput())
     used, triangles = np.unique(triangles, return_inverse=True)
     return to_poly_data(points[used].astype(float), triangles.reshape(-1, 3)), seconds
@@ -145,13 +125,13 @@ def run_all(carve, alpha_wrap, mesh, targets):
         methods = {
             "carve --simplify": run_carve(carve, plain, targets, folder, "--simplify"),
             "carve": run_carve(carve, plain, targets, folder),
-            "alpha wrap": [run_alpha_wrap(alpha_wrap, plain, target, folder) for target in targets],
+            "alpha wrap": [wrap(alpha_wrap, plain, target, folder) for target in targets],
             "vtkQuadricDecimation": [run_quadric(mesh, target) for target in targets]}
     return list(methods), list(zip(*methods.values()))
 
 
 def compare(carve, alpha_wrap, path, page):
-    mesh = read_off(path)
+    mesh = to_arrays(read(path))
     name = os.path.splitext(os.path.basename(path))[0]
     data = to_poly_data(*mesh)
     silhouettes = Silhouettes(data)

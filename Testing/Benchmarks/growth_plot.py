@@ -30,3 +30,4 @@ def draw(meshes, path):
     plots[0][0].set_ylabel("seconds")
     figure.tight_layout()
     figure.savefig(path, metadata={"Date": None})
+    plt.close(figure)

@@ -51,15 +51,25 @@ const std::map<std::string, Writer> Writers = {
 
 using Maker = models::TriangleMesh (*)(int vertices);
 
-models::TriangleMesh TreeOf(int vertices)
+/** A row of trees: one has no room for more than about 100,000 vertices. */
+models::TriangleMesh Trees(int vertices)
 {
   const double ofLeaf = 4.66; // its own four, and its share of the limbs
-  return models::Tree(static_cast<int>(vertices / ofLeaf));
+  const int number = 1 + (vertices - 1) / 100000;
+  const models::TriangleMesh tree = models::Tree(static_cast<int>(vertices / ofLeaf / number));
+  models::TriangleMesh row;
+  for (int i = 0; i < number; ++i)
+  {
+    // Trees of the same size would have too many points on common spheres.
+    row =
+      models::Joined(row, models::Moved(tree, { 1.2 * i, 0.1 * (i % 3), 0 }, 1.0 - 0.01 * (i % 7)));
+  }
+  return row;
 }
 
 const std::map<std::string, Maker> Makers = {
   { "bumpy-torus", models::BumpyTorus },
-  { "tree", TreeOf },
+  { "tree", Trees },
 };
 
 /** The writer of a model. Empty if there is no such model. */

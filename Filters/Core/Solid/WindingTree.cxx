@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/WindingTree.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/MedianSplit.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/Winding.h"
@@ -64,20 +65,17 @@ void WindingTree::Build(std::vector<Item>& items, int first, int last)
     return;
   }
   const auto begin = items.begin() + first, end = items.begin() + last;
-  Point lower = begin->Centroid, upper = lower;
+  Box bounds;
   for (auto item = begin; item != end; ++item)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      lower[i] = std::min(lower[i], item->Centroid[i]);
-      upper[i] = std::max(upper[i], item->Centroid[i]);
-    }
+    bounds.Add(item->Centroid);
   }
-  const int middle = static_cast<int>(
-    SplitAtMedian(
-      begin, end, upper - lower, [](const Item& item) -> const Point& { return item.Centroid; },
-      [](const Item& item) { return item.Triangle; }) -
-    items.begin());
+  const int middle =
+    static_cast<int>(SplitAtMedian(
+                       begin, end, bounds.Upper - bounds.Lower,
+                       [](const Item& item) -> const Point& { return item.Centroid; },
+                       [](const Item& item) { return item.Triangle; }) -
+      items.begin());
   this->Build(items, first, middle);
   this->Nodes[index].Second = static_cast<int>(this->Nodes.size());
   this->Build(items, middle, last);

@@ -15,14 +15,14 @@ constexpr const char* TextBeforeProperties = R"(NAME
     carve - simplify the topology of a mesh by carving it out of its convex hull
 
 SYNOPSIS
-    carve INPUT [-o OUTPUT] [--stream OUT.vtu] [--profile FILE] [LEVELS]
+    carve INPUT [-o OUTPUT] [--stream OUT.vtu] [--profile FILE] [--json FILE]
+          [LEVELS] [PROPERTY OPTIONS]
+    carve INPUT INPUT... [-o OUTPUT] [--threads N] [--json FILE] [LEVELS]
           [PROPERTY OPTIONS]
-    carve INPUT INPUT... [-o OUTPUT.vtm] [--threads N] [LEVELS]
-          [PROPERTY OPTIONS]
-    carve STREAM.vtu [-o OUTPUT] [--profile FILE] [LEVELS]
+    carve STREAM.vtu [-o OUTPUT] [--profile FILE] [--json FILE] [LEVELS]
           [--manifold-output on|off]
-    carve SURFACE --decimate [--nested] [-o OUTPUT] [--vertices N,... |
-          --triangles N,... | --error-bound X,...]
+    carve SURFACE --decimate [--nested] [-o OUTPUT] [--json FILE]
+          [--vertices N,... | --triangles N,... | --error-bound X,...]
     carve --help | --version
 
 DESCRIPTION
@@ -34,10 +34,10 @@ DESCRIPTION
 
     INPUT may be open, non-manifold or cross itself. The end of its name determines
     the format: .obj, .ply, .stl, .off, .vtp or .vtk (legacy, polygonal data), each
-    also gzipped (.obj.gz).
+    also gzipped (.obj.gz); .vtm, .vtpc, .glb or .gltf, which can have several meshes.
 
-    Each of several inputs is carved by itself. They become the blocks of OUTPUT.vtm,
-    in the same order.
+    Each of several inputs, and each mesh of an INPUT with several, is carved by
+    itself. They become the blocks of OUTPUT, in the same order and with their names.
 
     STREAM.vtu is a carving that --stream has stored. Any level can be extracted
     from it without carving again.
@@ -50,16 +50,27 @@ OPTIONS
     -o, --output OUTPUT
         Write the levels. The end of the name determines the format:
             .vtm                     all levels in one multiblock data set
+            .vtpc                    all levels in one partitioned data set collection
+            .glb                     all levels in one binary glTF file: a node with
+                                     normals, its numbers as extras and the name LOD 0,
+                                     LOD 1, ... for each; show one of them at a time
             .vtp .ply .obj .stl      one file per level: out.ply becomes out_0.ply,
                                      out_1.ply, ...
-        .vtm and .vtp preserve the levels exactly, with all their arrays. The other
-        formats round coordinates; if a level then crosses itself, a warning says
-        so.
+        .vtm, .vtpc and .vtp preserve the levels exactly, with all their arrays; .vtpc
+        does not have the notes. The other formats round coordinates; if a level then
+        crosses itself, a warning says so. Only .vtm, .vtpc and .glb can have the
+        levels of several meshes.
+
+        If OUTPUT ends in / or is a folder, each INPUT has a file of its own there,
+        which is named after it: a/part.stl becomes OUTPUT/part.vtm.
+
+    --format vtm|vtpc|glb|vtp|ply|obj|stl
+        The format of the files in a folder. Default: vtm.
 
     --contours
         Take the polygons and polylines of INPUT, which is .vtp or .vtk, as contours
         in a plane, and carve them out of their convex hull in that plane. Read edge
-        for triangle and triangle for tetrahedron. OUTPUT can be .vtm or .vtp.
+        for triangle and triangle for tetrahedron. OUTPUT can be .vtm, .vtpc or .vtp.
 
     --simplify
         Carve further than a level's number of vertices needs, and decimate the
@@ -83,6 +94,18 @@ OPTIONS
         Write the number of vertices, triangles, components, tunnels, voids and more
         for every step: as a table if the name ends in .csv, as a chart over vertices
         if the name ends in .png. The chart needs an X display (or xvfb-run).
+
+    --json FILE
+        Write the table in JSON, in UTF-8; to standard output, and nothing else there,
+        if FILE is -. The keys:
+            objects     one for each mesh: input (the file as given), block (its name
+                        in the file; null if the file is a single mesh), notes, and
+                        levels: level, step, vertices, triangles, components, tunnels,
+                        voids, feature_size, error. Numbers that are unknown or
+                        infinite are null.
+            notes       those of the whole scene
+            warnings, errors, files (that were written), version
+            seconds     of each stage, by its name
 
     --threads N
         The number of inputs that are worked on at a time. Default: 0, as many as VTK
@@ -154,6 +177,9 @@ ENVIRONMENT
 EXAMPLES
     carve bones.off
     carve bones.off -o bones.vtm --levels 12
+    carve bones.off -o bones.glb --json bones.json
+    carve left.stl right.stl -o scene.vtm
+    carve *.stl -o levels/ --format glb
     carve scan.ply.gz -o proxy.stl --triangles 500,5000
     carve scan.ply.gz --stream scan.vtu
     carve scan.vtu --vertices 1000 -o scan_1000.vtp

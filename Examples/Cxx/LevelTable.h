@@ -4,21 +4,19 @@
 
 class vtkMultiBlockDataSet;
 class vtkUnstructuredGrid;
+struct Options;
 
-/** Prints the levels of one input to standard output. */
 namespace LevelTable
 {
 
-/** Steps, sizes and topology of levels. */
-void PrintLevels(vtkMultiBlockDataSet* levels, bool contours);
+/**
+ * Prints the levels of all objects to standard output: steps, sizes and topology, or sizes and
+ * errors of decimated surfaces.
+ */
+void Print(const Options& options, vtkMultiBlockDataSet* output);
 
 /** The number of tetrahedra (in the plane, triangles) of a stream, and the strategy that made them. */
 void PrintStream(vtkUnstructuredGrid* stream, bool contours);
-
-/** Sizes and errors of decimated surfaces. */
-void PrintSurfaces(vtkMultiBlockDataSet* surfaces);
-
-void PrintNotes(vtkMultiBlockDataSet* levels);
 
 } // namespace LevelTable
 

@@ -2,7 +2,11 @@
 #include "LevelWriter.h"
 
 #include "ErrorLog.h"
+#include "FileName.h"
+#include "GltfReader.h"
+#include "GltfWriter.h"
 #include "MeshReader.h"
+#include "Objects.h"
 #include "XmlFile.h"
 
 #include "vtkMultiBlockDataSet.h"
@@ -12,17 +16,12 @@
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
 #include "vtkTopologyCarver.h"
-#include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <fstream>
 
 namespace
 {
-
-std::string GetExtension(const std::string& fileName)
-{
-  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(fileName));
-}
 
 template <class Writer>
 bool WriteWith(const std::string& fileName, vtkDataObject* data)
@@ -83,81 +82,148 @@ bool WriteLevel(const std::string& fileName, const std::string& extension, vtkPo
                              : WriteWith<vtkSTLWriter>(fileName, level);
 }
 
-/**
- * Reads a written level again and counts the pairs of triangles that cross each other. `error` says
- * why that fails: then the level has not been written in full.
- */
-int CountCrossings(const std::string& fileName, ErrorLog* log, std::string& error)
+/** Counts the pairs of triangles that cross each other. Returns an empty string, or an error. */
+std::string CountCrossings(vtkPolyData* level, ErrorLog* log, int& count)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  count = carver->CountIntersectingPairs(level);
+  return count < 0 ? log->Errors.back() : "";
+}
+
+std::string DescribeCrossings(const std::string& level, int count)
+{
+  return level + ": rounding to the format's precision makes " + std::to_string(count) +
+    " pairs of triangles cross each other; .vtp, .vtm and .vtpc keep doubles";
+}
+
+/** Reads a written level again, since that shows whether it has been written in full. */
+std::string CheckLevel(
+  const std::string& fileName, ErrorLog* log, std::vector<std::string>& warnings)
 {
   vtkNew<vtkPolyData> mesh;
-  error = ReadMesh(fileName, Wanted::Polygons, log, mesh);
-  if (!error.empty())
+  std::string error = ReadMesh(fileName, Wanted::Polygons, log, mesh);
+  int count = 0;
+  error = error.empty() ? CountCrossings(mesh, log, count) : error;
+  if (count > 0)
   {
-    return 0;
+    warnings.push_back(DescribeCrossings(fileName, count));
   }
-  vtkNew<vtkTopologyCarver> carver;
-  const int count = carver->CountIntersectingPairs(mesh);
-  error = count < 0 ? log->Errors.back() : "";
-  return count;
+  return error;
 }
 
-} // namespace
-
-namespace LevelWriter
+/** Does the same for all levels of a glTF file. */
+std::string CheckGltf(
+  const std::string& fileName, ErrorLog* log, std::vector<std::string>& warnings)
 {
-
-std::string CheckName(const std::string& fileName)
-{
-  const std::string extension = GetExtension(fileName);
-  for (const char* known : { ".vtm", ".vtp", ".ply", ".obj", ".stl" })
+  vtkNew<vtkMultiBlockDataSet> levels;
+  std::string error = GltfReader::Read(fileName, log, levels);
+  for (unsigned int i = 0; i < levels->GetNumberOfBlocks() && error.empty(); ++i)
   {
-    if (extension == known)
+    int count = 0;
+    error = CountCrossings(vtkPolyData::SafeDownCast(levels->GetBlock(i)), log, count);
+    if (count > 0)
     {
-      return {};
+      warnings.push_back(DescribeCrossings(fileName + ", " + GetBlockName(levels, i), count));
     }
   }
-  return "levels cannot be written to \"" + fileName +
-    "\": its name must end in .vtm, .vtp, .ply, .obj or .stl";
+  return error;
 }
 
-std::string Write(const std::string& fileName, vtkMultiBlockDataSet* levels, ErrorLog* log,
+std::string WriteGltf(const std::string& fileName, vtkMultiBlockDataSet* levels, ErrorLog* log,
+  std::vector<std::string>& warnings)
+{
+  const std::string error = GltfWriter::Write(fileName, levels);
+  return error.empty() ? CheckGltf(fileName, log, warnings) : error;
+}
+
+std::string WriteLevels(const std::string& fileName, vtkMultiBlockDataSet* levels, ErrorLog* log,
   std::vector<std::string>& written, std::vector<std::string>& warnings)
 {
-  const std::string extension = GetExtension(fileName);
-  const std::string failure = "cannot write ";
-  if (extension == ".vtm")
-  {
-    written.push_back(fileName);
-    return XmlFile::Write(fileName, levels) ? "" : failure + fileName;
-  }
-  const std::string stem = fileName.substr(0, fileName.size() - extension.size());
+  const std::string extension = FileName::GetExtension(fileName);
   for (unsigned int i = 0; i < levels->GetNumberOfBlocks(); ++i)
   {
-    const std::string levelName = stem + "_" + std::to_string(i) + extension;
+    const std::string levelName =
+      FileName::WithoutExtension(fileName) + "_" + std::to_string(i) + extension;
     auto* level = vtkPolyData::SafeDownCast(levels->GetBlock(i));
     if (!WriteLevel(levelName, extension, level))
     {
-      return failure + levelName;
+      return levelName;
     }
     written.push_back(levelName);
-    if (extension == ".vtp")
+    const std::string error =
+      extension == ".vtp" ? "" : CheckLevel(levelName, log, warnings); // .vtp keeps doubles
+    if (!error.empty())
     {
-      continue; // keeps doubles
-    }
-    std::string unreadable;
-    const int crossings = CountCrossings(levelName, log, unreadable);
-    if (!unreadable.empty())
-    {
-      return failure + levelName + " (read again: " + unreadable + ")";
-    }
-    if (crossings > 0)
-    {
-      warnings.push_back(levelName + ": rounding to the format's precision makes " +
-        std::to_string(crossings) +
-        " pairs of triangles cross each other; .vtp and .vtm keep doubles");
+      return levelName + " (read again: " + error + ")";
     }
   }
   return {};
 }
 
-} // namespace LevelWriter
+/** The formats, with what they hold. */
+struct Format
+{
+  std::string Extension;
+  bool SeveralMeshes;
+  bool Lines;
+};
+const Format formats[] = { { ".vtm", true, true }, { ".vtpc", true, true }, { ".glb", true, false },
+  { ".vtp", false, true }, { ".ply", false, false }, { ".obj", false, false },
+  { ".stl", false, false } };
+
+/** Null for an unknown format. */
+const Format* FindFormat(const std::string& extension)
+{
+  const auto* found = std::find_if(std::begin(formats), std::end(formats),
+    [&](const Format& format) { return format.Extension == extension; });
+  return found != std::end(formats) ? found : nullptr;
+}
+
+} // namespace
+
+std::string LevelWriter::CheckFormat(const std::string& extension, const std::string& where)
+{
+  if (extension == ".vtkhdf")
+  {
+    return "levels cannot be written to \"" + where +
+      "\": VTK writes .vtkhdf from version 9.4 on only; .vtpc and .vtm have the same content";
+  }
+  return FindFormat(extension) ? ""
+                               : "levels cannot be written to \"" + where +
+      "\": the format must be .vtm, .vtpc, .glb, .vtp, .ply, .obj or .stl";
+}
+
+bool LevelWriter::HoldsSeveralMeshes(const std::string& extension)
+{
+  const Format* format = FindFormat(extension);
+  return format && format->SeveralMeshes;
+}
+
+bool LevelWriter::HoldsLines(const std::string& extension)
+{
+  const Format* format = FindFormat(extension);
+  return format && format->Lines;
+}
+
+std::string LevelWriter::Write(const std::string& fileName, vtkMultiBlockDataSet* levels,
+  ErrorLog* log, std::vector<std::string>& written, std::vector<std::string>& warnings)
+{
+  const std::string extension = FileName::GetExtension(fileName);
+  std::string failure;
+  if (!HoldsSeveralMeshes(extension))
+  {
+    failure = WriteLevels(fileName, levels, log, written, warnings);
+  }
+  else if (extension == ".glb")
+  {
+    failure = WriteGltf(fileName, levels, log, warnings);
+    failure = failure.empty() ? "" : fileName + " (" + failure + ")";
+    written.push_back(fileName);
+  }
+  else
+  {
+    failure = XmlFile::Write(fileName, levels) ? "" : fileName;
+    written.push_back(fileName);
+  }
+  return failure.empty() ? "" : "cannot write " + failure;
+}

@@ -2,6 +2,7 @@
 #include "MeshReader.h"
 
 #include "ErrorLog.h"
+#include "FileName.h"
 #include "OffReader.h"
 
 #include "vtkAbstractArray.h"
@@ -78,7 +79,8 @@ std::string ReadFormat(
   if (format == formats.end())
   {
     return "the format " + (extension.empty() ? "without an ending" : extension) +
-      " is not known; known are .obj, .ply, .stl, .off, .vtp and .vtk, each also with .gz";
+      " is not known; known are .obj, .ply, .stl, .off, .vtp and .vtk, each also with .gz, "
+      "and .vtm, .vtpc, .glb and .gltf";
   }
   const std::size_t errorsBefore = log->Errors.size();
   format->second(fileName, mesh);
@@ -134,23 +136,29 @@ std::string ReadPacked(
 
 } // namespace
 
-std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, vtkPolyData* mesh)
+std::string CheckFile(const std::string& fileName)
 {
   using vtksys::SystemTools;
   if (!SystemTools::FileExists(fileName))
   {
     return "there is no such file";
   }
-  if (!SystemTools::FileExists(fileName, true) ||
-    !SystemTools::TestFileAccess(fileName, vtksys::TEST_FILE_READ))
+  return SystemTools::FileExists(fileName, true) &&
+      SystemTools::TestFileAccess(fileName, vtksys::TEST_FILE_READ)
+    ? ""
+    : "it is not a readable file";
+}
+
+std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, vtkPolyData* mesh)
+{
+  std::string error = CheckFile(fileName);
+  if (!error.empty())
   {
-    return "it is not a readable file";
+    return error;
   }
-  const std::string lowerName = SystemTools::LowerCase(fileName);
-  const std::string extension = SystemTools::GetFilenameLastExtension(lowerName);
-  const std::string error = extension == ".gz"
-    ? ReadPacked(fileName,
-        SystemTools::GetFilenameLastExtension(lowerName.substr(0, lowerName.size() - 3)), log, mesh)
+  const std::string extension = FileName::GetExtension(fileName);
+  error = extension == ".gz"
+    ? ReadPacked(fileName, FileName::GetExtension(FileName::WithoutExtension(fileName)), log, mesh)
     : ReadFormat(fileName, extension, log, mesh);
   MakeNamesReadable(mesh->GetPointData());
   MakeNamesReadable(mesh->GetCellData());

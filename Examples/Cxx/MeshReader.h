@@ -14,6 +14,9 @@ enum class Wanted
   Contours ///< polygons or lines
 };
 
+/** Returns an empty string, or the reason why a file cannot be read at all. */
+std::string CheckFile(const std::string& fileName);
+
 /**
  * Reads a polygonal mesh or contours. The end of the name determines the format: .obj, .ply, .stl,
  * .off, .vtp, .vtk (legacy), each also with .gz. Returns an empty string, or the reason for a

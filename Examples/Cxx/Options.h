@@ -18,7 +18,9 @@ struct Options
 
   Action Wanted = Action::Carve;
   std::vector<std::string> Inputs; ///< several: a scene, with a block for each
-  std::string Output;              ///< empty: none
+  std::string Output;              ///< a file, or a folder with a file for each input; empty: none
+  std::string Format;              ///< of the files in a folder: ".glb"; empty: not given
+  std::string Json;                ///< the file for the table as JSON; "-": standard output
   std::string Stream;              ///< the file for the stored stream; empty: none
   std::string Profile;             ///< the file for the profile, .csv or .png; empty: none
   std::string InitialMesh;         ///< for CUSTOM
@@ -34,9 +36,17 @@ struct Options
   int TargetType = 0;         ///< vtkTopologyCarver::LevelTargets
   bool ManifoldOutput = true; ///< also in Properties
 
-  bool IsScene() const
+  /** Whether every input has a result of its own in the folder Output. */
+  bool WritesFolder() const;
+  /** The extension of the results, in lower case: ".vtm". */
+  std::string GetFormat() const;
+  /** The name of the result of an input. */
+  std::string GetFile(const std::string& input) const;
+
+  /** Whether standard output is for JSON alone. */
+  bool IsQuiet() const
   {
-    return this->Inputs.size() > 1;
+    return this->Json == "-";
   }
 
   /** The given values of properties of vtkCarverAlgorithm, by name. */

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProfileFile.h"
 
+#include "FileName.h"
+
 #include "vtkAxis.h"
 #include "vtkChartLegend.h"
 #include "vtkChartXY.h"
@@ -38,7 +40,7 @@ struct Curve
 
 bool IsChart(const std::string& fileName)
 {
-  return vtksys::SystemTools::GetFilenameLastExtension(fileName) == ".png";
+  return FileName::GetExtension(fileName) == ".png";
 }
 
 /** Without a display, VTK would end the process. */

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "XmlFile.h"
 
-#include "vtkDataObject.h"
+#include "FileName.h"
+
+#include "vtkBase64Utilities.h"
+#include "vtkConvertToPartitionedDataSetCollection.h"
+#include "vtkDataAssembly.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLDataObjectWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <fstream>
 
@@ -85,16 +94,82 @@ bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject*
   return writer->Write() != 0 && !writer->GetOutputString().empty() && Save(fileName, writer);
 }
 
+/** Writes a leaf in the format of its type. */
+bool WriteLeaf(const std::string& fileName, vtkDataObject* leaf)
+{
+  vtkSmartPointer<vtkXMLWriter> writer;
+  writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(leaf->GetDataObjectType()));
+  return WriteWith(writer, fileName, leaf);
+}
+
+vtkXMLDataElement* AddElement(vtkXMLDataElement* parent, const char* name)
+{
+  vtkNew<vtkXMLDataElement> element;
+  element->SetName(name);
+  parent->AddNestedElement(element);
+  return element;
+}
+
+/** Adds the tree of a collection, with all names. */
+void AddAssembly(vtkXMLDataElement* parent, vtkDataAssembly* assembly)
+{
+  const std::string text = assembly->SerializeToXML(vtkIndent());
+  std::string encoded((text.size() + 2) / 3 * 4, '\0');
+  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(text.data()), text.size(),
+    reinterpret_cast<unsigned char*>(&encoded[0]));
+  vtkXMLDataElement* element = AddElement(parent, "DataAssembly");
+  element->SetAttribute("encoding", "base64");
+  element->SetCharacterData(encoded.data(), static_cast<int>(encoded.size()));
+}
+
+/**
+ * Writes a tree as a partitioned data set collection: the files of the leaves in a folder, and a
+ * file that refers to them. VTK's own writer of 9.1 crashes on a full disk.
+ */
+bool WriteCollection(const std::string& fileName, vtkMultiBlockDataSet* tree)
+{
+  vtkNew<vtkConvertToPartitionedDataSetCollection> convert;
+  convert->SetInputDataObject(tree);
+  convert->Update();
+  vtkPartitionedDataSetCollection* collection = convert->GetOutput();
+  const std::string folder = FileName::WithoutExtension(fileName);
+  const std::string stem = vtksys::SystemTools::GetFilenameName(folder);
+  vtkNew<vtkXMLDataElement> root;
+  root->SetName("VTKFile");
+  root->SetAttribute("type", "vtkPartitionedDataSetCollection");
+  root->SetAttribute("version", "1.0");
+  vtkXMLDataElement* content = AddElement(root, "vtkPartitionedDataSetCollection");
+  bool good = static_cast<bool>(vtksys::SystemTools::MakeDirectory(folder));
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets() && good; ++i)
+  {
+    const std::string leaf = stem + "_" + std::to_string(i) + ".vtp";
+    good = WriteLeaf(folder + "/" + leaf, collection->GetPartition(i, 0));
+    vtkXMLDataElement* partitions = AddElement(content, "Partitions");
+    partitions->SetIntAttribute("index", static_cast<int>(i));
+    partitions->SetAttribute("name", collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+    vtkXMLDataElement* dataSet = AddElement(partitions, "DataSet");
+    dataSet->SetIntAttribute("index", 0);
+    dataSet->SetAttribute("file", (stem + "/" + leaf).c_str());
+  }
+  AddAssembly(content, collection->GetDataAssembly());
+  std::ofstream file(fileName, std::ios::binary);
+  root->PrintXML(file, vtkIndent());
+  file.close();
+  return good && !file.fail();
+}
+
 } // namespace
 
 bool XmlFile::Write(const std::string& fileName, vtkDataObject* data)
 {
+  if (FileName::GetExtension(fileName) == ".vtpc")
+  {
+    return WriteCollection(fileName, vtkMultiBlockDataSet::SafeDownCast(data));
+  }
   if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(data))
   {
     vtkNew<MultiBlockWriter> writer;
     return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && writer->AllSaved;
   }
-  vtkSmartPointer<vtkXMLWriter> writer;
-  writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(data->GetDataObjectType()));
-  return WriteWith(writer, fileName, data);
+  return WriteLeaf(fileName, data);
 }

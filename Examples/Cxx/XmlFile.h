@@ -10,8 +10,9 @@ namespace XmlFile
 {
 
 /**
- * Writes a data set, or a multiblock of data sets with one file for each, in VTK's XML formats. No
- * data set may be empty. Returns whether everything has been written.
+ * Writes a data set, or a multiblock of data sets with one file for each, in VTK's XML formats; a
+ * multiblock of polydata as a partitioned data set collection if the name ends in .vtpc. No data
+ * set may be empty. Returns whether everything has been written.
  */
 bool Write(const std::string& fileName, vtkDataObject* data);
 

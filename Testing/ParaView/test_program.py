@@ -42,6 +42,15 @@ class TestProgram(unittest.TestCase):
         for name, level in levels.items():
             self.assertEqual(arrays(written[name]), arrays(level))
 
+    def test_opens_a_collection(self):
+        """A .vtpc file has the levels of the filter, with the same names and bytes."""
+        self.carve("-o", "levels.vtpc")
+        written, levels = self.opened("levels.vtpc"), blocks(self.carved(ALL_LEVELS))
+        names = [written.GetMetaData(i).Get(written.NAME()) for i in range(written.GetNumberOfPartitionedDataSets())]
+        self.assertEqual(names, list(levels))
+        for i, level in enumerate(levels.values()):
+            self.assertEqual(arrays(written.GetPartition(i, 0)), arrays(level))
+
     def test_opens_a_file_per_level(self):
         """Each .vtp file has a level of the filter, with the same bytes."""
         self.carve("-o", "level.vtp")

@@ -45,7 +45,15 @@ if (VTK_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
     INSTALL_HEADERS     OFF)
   set(package_file "${CMAKE_BINARY_DIR}/${python_destination}/topologycarving/__init__.py")
   file(GENERATE OUTPUT "${package_file}" CONTENT
-"\"\"\"Topology simplification of triangle meshes by carving: VTK filters.\"\"\"
+"\"\"\"Topology simplification of triangle meshes by carving: VTK filters.
+
+vtkTopologyCarver       carves a mesh out of its convex hull, into levels of detail
+vtkContourCarver        carves polygons and polylines in a plane
+vtkExtractCarvedLOD     extracts any level from the stream of a carver
+vtkEnclosingDecimation  decimates a closed surface into surfaces that enclose it
+
+help(vtkTopologyCarver) explains properties, outputs and arrays.
+\"\"\"
 from .vtkTopologyCarving import *
 ")
   install(FILES "${package_file}" DESTINATION "${python_destination}/topologycarving")

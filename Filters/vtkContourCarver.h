@@ -10,9 +10,10 @@
  * space, in the plane. One run gives a stream of contours C0, C1, ..., Cn = M in which components
  * split off and holes open one after the other.
  *
- *                    +--> port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
- *   vtkPolyData M ---+--> port 1: vtkUnstructuredGrid, the stream: triangles, edges, steps
- *                    +--> port 2: vtkTable, the profile: a row per step, row 0 is C0
+ * - input: vtkPolyData, the contours M
+ * - output port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
+ * - output port 1: vtkUnstructuredGrid, the stream: triangles, edges, steps
+ * - output port 2: vtkTable, the profile: a row per step, row 0 is C0
  *
  * The boundary of a polygon is a contour, whatever its direction. Vertices and strips are ignored,
  * with a note.

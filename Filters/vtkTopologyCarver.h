@@ -10,9 +10,10 @@
  * tunnels open one after the other. Each approximation encloses M, is part of the one before it,
  * does not cross itself and has vertices of M only.
  *
- *                    +--> port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
- *   vtkPolyData M ---+--> port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
- *                    +--> port 2: vtkTable, the profile: a row per step, row 0 is C0
+ * - input: vtkPolyData, the mesh M
+ * - output port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
+ * - output port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
+ * - output port 2: vtkTable, the profile: a row per step, row 0 is C0
  *
  * The method is that of "Carving for topology simplification of polygonal meshes", which README.md
  * cites in full. Section and equation numbers in this documentation refer to that paper.

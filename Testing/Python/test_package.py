@@ -1,8 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package, used through its public interface only."""
+"""The Python package, used through its public interface only.
+
+The environment variable ROOT names the folder of the sources.
+"""
+import os
+import pydoc
+import sys
 import unittest
 
 import numpy as np
+import topologycarving
 from meshes import two_cubes
 from topologycarving import vtkTopologyCarver
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -14,6 +21,10 @@ def volume(mesh):
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     a, b, c = (points[column] for column in vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3).T)
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+
+
+sys.path.append(os.path.join(os.environ["ROOT"], "Examples", "Python"))
+import numpy_levels  # noqa: E402
 
 
 class TestPackage(unittest.TestCase):
@@ -88,6 +99,22 @@ class TestPackage(unittest.TestCase):
         self.assertGreater(volume(carver.GetOutput().GetBlock(0)), first)
         stages = {carver.GetStageName(i): carver.GetStageSeconds(i) for i in range(carver.GetNumberOfStages())}
         self.assertGreater(stages["tetrahedralize"], 0)
+
+    def test_takes_and_gives_arrays(self):
+        """The example with numpy goes from the hull of two cubes to the cubes, whose volumes are 3 and 2."""
+        points, triangles = numpy_levels.two_cubes()
+        levels = numpy_levels.carve(points, triangles, number_of_levels=2)
+        volumes = [np.einsum("ij,ij->i", *(p[t[:, 0]], np.cross(p[t[:, 1]], p[t[:, 2]]))).sum() / 6 for p, t in levels]
+        np.testing.assert_allclose(volumes, [3, 2])
+        self.assertEqual({tuple(point) for point in levels[-1][0]}, {tuple(point) for point in points})
+
+    def test_help_names_the_classes(self):
+        """The help of the package lists its filters, and that of a filter explains its properties."""
+        text = pydoc.plain(pydoc.render_doc(topologycarving))
+        for name in ("vtkTopologyCarver", "vtkContourCarver", "vtkExtractCarvedLOD", "vtkEnclosingDecimation"):
+            self.assertTrue(issubclass(getattr(topologycarving, name), object))
+            self.assertIn(name, text)
+        self.assertIn("NumberOfLevels", pydoc.plain(pydoc.render_doc(vtkTopologyCarver)))
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ mv "$work/bones_0.ply" "$work/bones.ply"
 # picture SESSION NAME: replays a recorded session and takes a picture of the window.
 picture() {
   say "Playing $1"
-  sed -e 's/eight-spheres/bones/' -e 's/arguments="3000"/arguments="700"/' \
+  sed -e 's/eight-spheres/bones/' -e 's/arguments="3000"/arguments="1600"/' -e 's/arguments="31"/arguments="42"/' \
     "$root/Testing/ParaView/$1.xml" >"$work/$1.xml"
   HOME=$work PYTHONPATH=$build_root/paraview/usr/lib/python3/dist-packages \
     xvfb-run -a -s '-screen 0 1152x764x24' bash -c '
@@ -41,8 +41,9 @@ picture() {
   # Smaller and with fewer colors, for the web.
   convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"
 }
-picture PlayCarving paraview-play
+picture FirstLevel paraview-first
 picture PickLevel paraview-slider
+picture PlayCarving paraview-play
 
 say "Done"
-printf 'pictures  %s\n' "$folder/paraview-play.png" "$folder/paraview-slider.png"
+printf 'pictures  %s\n' "$folder"/paraview-{first,slider,play}.png

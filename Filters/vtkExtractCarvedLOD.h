@@ -115,10 +115,10 @@ public:
 
   /**
    * Adds the time steps of FollowTime to the information of an output port, unless the information
-   * of the input has time steps of its own. Returns whether the times have been added. For filters
-   * that contain this one.
+   * of the input has time steps of its own. Returns whether time picks the level. For filters that
+   * contain this one.
    */
-  bool OfferTimes(vtkInformation* input, vtkInformation* output);
+  virtual bool OfferTimes(vtkInformation* input, vtkInformation* output);
 
   ///@{
   /** The number of time steps that FollowTime offers. Range 2 to 100,000, default 50. */

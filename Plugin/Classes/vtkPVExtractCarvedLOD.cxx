@@ -3,7 +3,25 @@
 
 #include "vtkObjectFactory.h"
 
+#include <cmath>
+
 vtkStandardNewMacro(vtkPVExtractCarvedLOD);
+
+//------------------------------------------------------------------------------
+vtkPVExtractCarvedLOD::vtkPVExtractCarvedLOD()
+{
+  this->FollowTime = false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPVExtractCarvedLOD::OfferTimes(vtkInformation* input, vtkInformation* output)
+{
+  const bool follow = this->FollowTime;
+  this->FollowTime = true; // the setter would mark the filter as changed
+  const bool offered = this->Superclass::OfferTimes(input, output);
+  this->FollowTime = follow;
+  return offered && follow;
+}
 
 //------------------------------------------------------------------------------
 double* vtkPVExtractCarvedLOD::GetRange(int type, double target)
@@ -61,6 +79,12 @@ double* vtkPVExtractCarvedLOD::GetStepRange()
 int vtkPVExtractCarvedLOD::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
+  double range[2];
+  if (this->LevelTargetType == VERTICES && this->VertexTarget == 0 &&
+    this->GetLevelTargetRange(VERTICES, range))
+  {
+    this->VertexTarget = static_cast<int>(std::lround(std::sqrt(range[0] * range[1])));
+  }
   const double targets[] = { static_cast<double>(this->VertexTarget),
     static_cast<double>(this->TriangleTarget), this->FeatureSizeTarget,
     static_cast<double>(this->TunnelsTarget), static_cast<double>(this->ComponentTarget),

@@ -3,7 +3,8 @@
  * @class vtkPVExtractCarvedLOD
  * @brief vtkExtractCarvedLOD with a target for each type, for a panel with a slider for each
  *
- * The target of the current LevelTargetType becomes the LevelTarget.
+ * The target of the current LevelTargetType becomes the LevelTarget. FollowTime is off by default,
+ * and time steps are offered all the same, so that ParaView's time controls are ready to be used.
  */
 #ifndef vtkPVExtractCarvedLOD_h
 #define vtkPVExtractCarvedLOD_h
@@ -19,7 +20,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The LevelTarget for each LevelTargetType. */
+  /**
+   * The LevelTarget for each LevelTargetType. The default of the VertexTarget is 0: the next update
+   * sets it to the geometric mean of its range, so that the level is between hull and mesh.
+   */
   vtkSetClampMacro(VertexTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(VertexTarget, int);
   vtkSetClampMacro(TriangleTarget, int, 0, VTK_INT_MAX);
@@ -50,14 +54,17 @@ public:
   double* GetStepRange() VTK_SIZEHINT(2);
   ///@}
 
+  /** Also adds the time steps if FollowTime is off. Returns whether time picks the level. */
+  bool OfferTimes(vtkInformation* input, vtkInformation* output) override;
+
 protected:
-  vtkPVExtractCarvedLOD() = default;
+  vtkPVExtractCarvedLOD();
   ~vtkPVExtractCarvedLOD() override = default;
 
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
-  int VertexTarget = 1000;
+  int VertexTarget = 0;
   int TriangleTarget = 2000;
   double FeatureSizeTarget = 0.0;
   int TunnelsTarget = 0;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters of the plugin, through ParaView's Python."""
+import math
 import os
 import subprocess
 import unittest
@@ -30,6 +31,15 @@ class TestFilters(unittest.TestCase):
         types = [simple.OutputPort(carver, i).GetDataInformation().GetDataSetTypeAsString() for i in range(4)]
         self.assertEqual(types, ["vtkPolyData", "vtkMultiBlockDataSet", "vtkUnstructuredGrid", "vtkTable"])
 
+    def test_shows_a_level_in_the_middle(self):
+        """After Apply, the level is between the hull and the mesh, at any time."""
+        hull = counts(self.carver(LevelBy="Step", Step=0))[0]
+        carver = self.carver()
+        shown = counts(carver)
+        self.assertEqual(numbers(carver, "ShownVertices"), [round(math.sqrt(hull * POINTS))])
+        self.assertTrue(hull < shown[0] <= math.sqrt(hull * POINTS) + 1)
+        self.assertEqual(counts(carver, LEVEL, 49), shown)
+
     def test_decimates_a_surface(self):
         """Enclosing Decimation has the coarsest surface on its first output and all on its second."""
         decimation = simple.EnclosingDecimation(Input=self.mesh, Targets=[1000, 400])
@@ -40,7 +50,7 @@ class TestFilters(unittest.TestCase):
 
     def test_time_moves_from_the_hull_to_the_mesh(self):
         """Time steps exist before anything is carved; the first is the hull, the last is the mesh."""
-        carver = self.carver()
+        carver = self.carver(FollowTime=1)
         carver.UpdatePipelineInformation()
         times = list(carver.TimestepValues)
         self.assertEqual(times, list(range(50)))
@@ -50,10 +60,10 @@ class TestFilters(unittest.TestCase):
         self.assertGreater(len(set(steps)), 40)
 
     def test_properties_pick_the_level(self):
-        """Without Follow Time there are no time steps, and each Level By property picks the level."""
+        """Without Follow Time, each Level By property picks the level, and time steps are there to be used."""
         carver = self.carver(FollowTime=0, LevelBy="Step", Step=0)
         hull = counts(carver)
-        self.assertEqual(list(carver.TimestepValues), [])
+        self.assertEqual(list(carver.TimestepValues), list(range(50)))
         self.assertEqual(numbers(carver, "VertexRange"), [hull[0], POINTS])
         least, greatest = numbers(carver, "TriangleRange")
         self.assertEqual(least, hull[1])
@@ -78,9 +88,9 @@ class TestFilters(unittest.TestCase):
 
     def test_choosing_a_level_does_not_carve_again(self):
         """Choosing another level runs the helper program neither in the carver nor in an extractor."""
-        carver = self.carver()
+        carver = self.carver(FollowTime=1)
         hull = counts(carver)
-        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
+        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM), FollowTime=1)
         self.assertEqual(counts(extract), hull)
         os.environ["TOPOLOGYCARVING_HELPER"] = "/bin/false"
         self.addCleanup(os.environ.pop, "TOPOLOGYCARVING_HELPER")
@@ -104,14 +114,14 @@ class TestFilters(unittest.TestCase):
 
     def test_extractor_agrees_with_the_carver(self):
         """Carver and extractor give the same level at the same time step."""
-        carver = self.carver()
-        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
+        carver = self.carver(FollowTime=1)
+        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM), FollowTime=1)
         for time in (0, 7, 23, 49):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
 
     def test_extractor_knows_its_range_at_once(self):
         """If the stream exists already, the slider has its range, and a level in the middle is shown."""
-        carver = self.carver()
+        carver = self.carver(LevelBy="Step", Step=0)
         least = counts(carver)[0]
         extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
         self.assertEqual(numbers(extract, "VertexRange"), [least, POINTS])
@@ -126,17 +136,18 @@ class TestFilters(unittest.TestCase):
 
     def test_starts_from_a_box_or_a_given_mesh(self):
         """Carving starts from the eight corners of the bounding box, or from a given mesh."""
-        carver = self.carver(InitialApproximation="Bounding Box")
+        carver = self.carver(InitialApproximation="Bounding Box", LevelBy="Step", Step=0)
         self.assertEqual(counts(carver), (8, 12))
         box = simple.Box(XLength=3, YLength=3, ZLength=3, Center=[0.5, 0.5, 0.5])
         triangles = simple.Triangulate(Input=box)
-        carver = self.carver(InitialApproximation="Custom", CustomApproximation=triangles)
+        carver = self.carver(
+            InitialApproximation="Custom", CustomApproximation=triangles, LevelBy="Step", Step=0)
         self.assertEqual(counts(carver), (8, 12))
 
     def test_time_of_the_input_wins(self):
         """The time steps of an input are kept, and properties pick the level."""
         mesh = simple.GenerateTimeSteps(Input=self.mesh, TimeStepValues=[0.0, 1.0, 2.0])
-        carver = simple.TopologyCarver(Input=mesh, Vertices=2000)
+        carver = simple.TopologyCarver(Input=mesh, FollowTime=1, Vertices=2000)
         carver.UpdatePipelineInformation()
         self.assertEqual(list(carver.TimestepValues), [0.0, 1.0, 2.0])
         points = counts(carver, LEVEL, 1.0)[0]
@@ -163,7 +174,7 @@ class TestFilters(unittest.TestCase):
         parts = [self.mesh, open_model("two-spheres.ply")]
         group = simple.GroupDatasets(Input=parts)
         group.BlockNames = ["eight", "two"]
-        carver = simple.TopologyCarver(Input=group)
+        carver = simple.TopologyCarver(Input=group, FollowTime=1)
         carver.UpdatePipeline(49)
         for port, children in ((LEVEL, 0), (ALL_LEVELS, 8), (STREAM, 0), (PROFILE, 0)):
             tree = fetch(carver, port)
@@ -171,14 +182,14 @@ class TestFilters(unittest.TestCase):
             self.assertEqual(names, ["eight", "two"])
             if children:
                 self.assertEqual(tree.GetBlock(0).GetNumberOfBlocks(), children)
-        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
+        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM), FollowTime=1)
         self.assertEqual(counts(extract, 0, 49), (POINTS + 2 * 642, TRIANGLES + 2 * 1280))
 
     def test_carves_contours(self):
         """The last level of the Contour Carver is the input."""
         figure = open_model("carved-figure.vtk")
         lines = counts(figure)[1]
-        carver = simple.ContourCarver(Input=figure)
+        carver = simple.ContourCarver(Input=figure, FollowTime=1)
         self.assertLess(counts(carver)[1], lines)
         self.assertEqual(counts(carver, LEVEL, 49)[1], lines)
 

@@ -90,6 +90,7 @@ class TestParallel(unittest.TestCase):
         self.addCleanup(simple.ResetSession)
 
     def expect_whole(self, carver, points=POINTS, triangles=TRIANGLES):
+        carver.FollowTime = 1
         first = counts(carver, LEVEL, 0)
         self.assertLess(first[0], points)
         self.assertEqual(counts(carver, LEVEL, 49), (points, triangles))
@@ -105,8 +106,8 @@ class TestParallel(unittest.TestCase):
 
     def test_spread_mesh_is_carved_whole(self):
         """A mesh that is spread over all processes gives the same levels, without seams."""
-        whole = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"))
-        parts = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"))
+        whole = simple.TopologyCarver(Input=scene.open_model("eight-spheres.ply"), FollowTime=1)
+        parts = simple.TopologyCarver(Input=make_source(MESH_IN_PARTS, "vtkPolyData"), FollowTime=1)
         for time in (0, 11, 33, 49):
             self.assertEqual(counts(parts, LEVEL, time), counts(whole, LEVEL, time))
 
@@ -124,7 +125,7 @@ class TestParallel(unittest.TestCase):
             if port == ALL_LEVELS:
                 for child in children:
                     self.assertEqual(hierarchy.GetNumberOfChildren(child), 8)
-        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM))
+        extract = simple.ExtractCarvedLOD(Input=simple.OutputPort(carver, STREAM), FollowTime=1)
         for time in (0, 20, 49):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
 

@@ -61,12 +61,13 @@ class TestPanels(unittest.TestCase):
             if p.get("command").startswith("Add"):
                 self.assertEqual(instance.GetNumberOfLevelTargets(), 0)
                 continue
-            default = getattr(instance, "Get" + name)() if hasattr(instance, "Get" + name) else others[name]
+            default = others[name] if name in others else getattr(instance, "Get" + name)()
             self.assertEqual(float(p.get("default_values")), float(default), p.get("name"))
 
     def test_defaults_are_the_filters(self):
         """Every property has the default of the filter."""
         others = header_defaults("vtkPVExtractCarvedLOD")
+        others["FollowTime"] = 0  # the window shows a level in the middle first
         for instance in (vtkTopologyCarver(), vtkContourCarver()):
             self.expect_defaults(self.carver, instance, {})
         for proxy in (self.picker, self.extract):

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python package, used through its public interface only.
-
-The environment variable ROOT names the folder of the sources.
-"""
+"""The Python package, used through its public interface only."""
 import os
 import pydoc
 import sys
@@ -16,15 +13,14 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "Python"))
+import numpy_levels  # noqa: E402
+
 
 def volume(mesh):
     points = vtk_to_numpy(mesh.GetPoints().GetData())
     a, b, c = (points[column] for column in vtk_to_numpy(mesh.GetPolys().GetConnectivityArray()).reshape(-1, 3).T)
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
-
-
-sys.path.append(os.path.join(os.environ["ROOT"], "Examples", "Python"))
-import numpy_levels  # noqa: E402
 
 
 class TestPackage(unittest.TestCase):

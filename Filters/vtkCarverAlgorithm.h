@@ -500,9 +500,10 @@ public:
   /**
    * The processes that share the work of a parallel run. The default is the global controller,
    * which exists under MPI only. Every object, which is the input or one of its leaves, is carved
-   * whole by one process: the process that has the object. If an object is spread over several
-   * processes, the lowest of these carves it, and a warning says so. The other processes get the
-   * same blocks with null or empty data.
+   * whole by one process: the process that has the object, unless that would get over a tenth more
+   * cells than its share. Its outputs stay there. If an object is spread over several processes, one
+   * process gathers it, and a warning says so. The other processes get the same blocks with null or
+   * empty data.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

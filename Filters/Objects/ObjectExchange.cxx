@@ -3,6 +3,7 @@
 
 #include "Convert/ArrayNames.h"
 #include "Objects/CompositeTree.h"
+#include "Objects/LeafPlacement.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
@@ -25,13 +26,13 @@ namespace
 enum NodeKind
 {
   NoData,
-  Leaf,
+  LeafData,
   Composite
 };
 
 NodeKind GetKind(vtkDataObject* node)
 {
-  return !node ? NoData : node->IsA("vtkCompositeDataSet") ? Composite : Leaf;
+  return !node ? NoData : node->IsA("vtkCompositeDataSet") ? Composite : LeafData;
 }
 
 vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObject>>& parts)
@@ -139,9 +140,32 @@ std::string ObjectExchange::First(const std::string& text) const
 
 vtkSmartPointer<vtkDataObject> ObjectExchange::Gather(vtkDataObject* input, int& numberOfMerged)
 {
-  this->NextLeaf = 0;
-  vtkSmartPointer<vtkDataObject> result = this->GatherNode(input, numberOfMerged);
-  this->Cache.resize(this->NextLeaf);
+  std::vector<Leaf> leaves;
+  vtkSmartPointer<vtkDataObject> result = this->GatherNode(input, nullptr, 0, leaves);
+  const std::vector<Owners> owners = this->FindOwners(leaves);
+  std::vector<double> costs;
+  std::vector<int> first;
+  for (const Owners& ofLeaf : owners)
+  {
+    costs.push_back(ofLeaf.Cells);
+    first.push_back(ofLeaf.First);
+  }
+  const std::vector<int> destinations =
+    PlaceLeaves(costs, first, this->Controller->GetNumberOfProcesses());
+  this->Cache.resize(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    vtkPolyData* mesh =
+      this->GatherLeaf(leaves[i].Part, owners[i], destinations[i], this->Cache[i], numberOfMerged);
+    if (leaves[i].Parent)
+    {
+      leaves[i].Parent->SetBlock(leaves[i].Block, mesh);
+    }
+    else
+    {
+      result = mesh;
+    }
+  }
   if (!result)
   {
     result.TakeReference(vtkDataObjectTypes::NewDataObject(input->GetClassName()));
@@ -149,25 +173,30 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::Gather(vtkDataObject* input, int&
   return result;
 }
 
-vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node, int& numberOfMerged)
+/** Returns a node whose leaves are still missing, and adds them to `leaves`. */
+vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(
+  vtkDataObject* node, vtkMultiBlockDataSet* parent, unsigned int block, std::vector<Leaf>& leaves)
 {
   switch (this->Largest(GetKind(node)))
   {
     case NoData:
       return nullptr;
-    case Leaf:
+    case LeafData:
     {
       auto* mesh = vtkPolyData::SafeDownCast(node);
       // Data that cannot be carved stays where it is; its process reports an error.
-      const bool foreign = this->Largest(node && !mesh) != 0;
-      return foreign ? vtkSmartPointer<vtkDataObject>(node)
-                     : this->GatherLeaf(mesh, numberOfMerged);
+      if (this->Largest(node && !mesh) != 0)
+      {
+        return node;
+      }
+      leaves.push_back({ mesh, parent, block });
+      return nullptr;
     }
     default:
       break;
   }
   std::vector<CompositeChild> children;
-  const bool known = !node || GetKind(node) == Leaf || GetChildren(node, children);
+  const bool known = !node || GetKind(node) == LeafData || GetChildren(node, children);
   if (this->Largest(!known) != 0)
   {
     return node; // not a tree
@@ -177,41 +206,87 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node, i
   blocks->SetNumberOfBlocks(static_cast<unsigned int>(children.size()));
   for (unsigned int i = 0; i < children.size(); ++i)
   {
-    blocks->SetBlock(i, this->GatherNode(children[i].Data, numberOfMerged));
+    blocks->SetBlock(i, this->GatherNode(children[i].Data, blocks, i, leaves));
     SetBlockName(blocks, i, this->First(children[i].Name));
   }
   return blocks;
 }
 
-vtkSmartPointer<vtkDataObject> ObjectExchange::GatherLeaf(vtkPolyData* leaf, int& numberOfMerged)
+std::vector<ObjectExchange::Owners> ObjectExchange::FindOwners(
+  const std::vector<Leaf>& leaves) const
 {
-  const std::size_t index = this->NextLeaf++;
-  this->Cache.resize(std::max(this->Cache.size(), this->NextLeaf));
-  Merged& merged = this->Cache[index];
-  const std::vector<int> sizes = this->All(leaf && leaf->GetNumberOfCells() > 0 ? 1 : 0);
-  const auto owner = std::find(sizes.begin(), sizes.end(), 1);
-  const int owners = static_cast<int>(std::count(sizes.begin(), sizes.end(), 1));
-  const int self = this->Controller->GetLocalProcessId();
-  if (owners < 2)
+  std::vector<double> here;
+  for (const Leaf& leaf : leaves)
   {
-    merged = {};
-    return owner == sizes.begin() + self ? leaf : nullptr;
+    here.push_back(leaf.Part ? static_cast<double>(leaf.Part->GetNumberOfCells()) : 0.0);
   }
-  const bool changed = this->Largest(!merged.Given.IsOf(leaf)) != 0;
-  const int destination = static_cast<int>(owner - sizes.begin());
-  if (changed)
+  const int processes = this->Controller->GetNumberOfProcesses();
+  std::vector<double> all(processes * here.size());
+  if (!here.empty())
   {
-    merged = { DataVersion(leaf), nullptr };
-    vtkNew<vtkPolyData> nothing;
-    std::vector<vtkSmartPointer<vtkDataObject>> parts;
-    this->Controller->Gather(leaf ? leaf : nothing.Get(), parts, destination);
-    if (self == destination)
+    this->Controller->AllGather(here.data(), all.data(), static_cast<vtkIdType>(here.size()));
+  }
+  std::vector<Owners> owners(leaves.size());
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    for (int process = 0; process < processes; ++process)
     {
-      merged.Mesh = Append(parts);
-      ++numberOfMerged;
+      const double cells = all[process * leaves.size() + i];
+      owners[i].First = owners[i].Number == 0 && cells > 0.0 ? process : owners[i].First;
+      owners[i].Number += cells > 0.0;
+      owners[i].Cells += cells;
     }
   }
+  return owners;
+}
+
+/** Returns the whole mesh on its destination, and null elsewhere. */
+vtkPolyData* ObjectExchange::GatherLeaf(
+  vtkPolyData* part, const Owners& owners, int destination, Merged& merged, int& numberOfMerged)
+{
+  const bool isHere = this->Controller->GetLocalProcessId() == destination;
+  if (owners.Number == 0 || (owners.Number == 1 && owners.First == destination))
+  {
+    merged = {};
+    return owners.Number == 1 && isHere ? part : nullptr;
+  }
+  const bool changed = merged.Destination != destination || !merged.Given.IsOf(part);
+  if (this->Largest(changed) != 0)
+  {
+    merged = { DataVersion(part),
+      owners.Number == 1 ? this->Move(part, owners.First, destination)
+                         : this->Merge(part, destination),
+      destination };
+    numberOfMerged += owners.Number > 1 && isHere;
+  }
   return merged.Mesh;
+}
+
+vtkSmartPointer<vtkPolyData> ObjectExchange::Move(
+  vtkPolyData* mesh, int owner, int destination) const
+{
+  constexpr int tag = 7301; // any number that other messages do not have
+  const int self = this->Controller->GetLocalProcessId();
+  vtkSmartPointer<vtkPolyData> moved;
+  if (self == owner)
+  {
+    this->Controller->Send(mesh, destination, tag);
+  }
+  else if (self == destination)
+  {
+    moved = vtkSmartPointer<vtkPolyData>::New();
+    this->Controller->Receive(moved, owner, tag);
+  }
+  return moved;
+}
+
+vtkSmartPointer<vtkPolyData> ObjectExchange::Merge(vtkPolyData* part, int destination) const
+{
+  vtkNew<vtkPolyData> nothing;
+  std::vector<vtkSmartPointer<vtkDataObject>> parts;
+  this->Controller->Gather(part ? part : nothing.Get(), parts, destination);
+  const bool isHere = this->Controller->GetLocalProcessId() == destination;
+  return isHere ? Append(parts) : nullptr;
 }
 
 vtkSmartPointer<vtkPolyData> ObjectExchange::GatherOnAll(vtkPolyData* mesh)
@@ -221,7 +296,7 @@ vtkSmartPointer<vtkPolyData> ObjectExchange::GatherOnAll(vtkPolyData* mesh)
     vtkNew<vtkPolyData> nothing;
     std::vector<vtkSmartPointer<vtkDataObject>> parts;
     this->Controller->AllGather(mesh ? mesh : nothing.Get(), parts);
-    this->OnAll = { DataVersion(mesh), Append(parts) };
+    this->OnAll = { DataVersion(mesh), Append(parts), -1 };
   }
   return this->OnAll.Mesh;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkMultiBlockDataSet;
 class vtkMultiProcessController;
 class vtkPolyData;
 
@@ -33,10 +34,10 @@ public:
 
   /**
    * Returns the input that this process carves. For a polydata, that is the polydata or an empty
-   * one; for a composite, a tree with null leaves. An object of a single process stays there. An
-   * object that is spread over several processes is merged on the lowest of these, which counts it
-   * in `numberOfMerged`. An object that no process has changed is the same as before, with the same
-   * time stamp.
+   * one; for a composite, a tree with null leaves. An object that is spread over several processes
+   * is merged on one of them, which counts it in `numberOfMerged`. Objects move to other processes
+   * if some would have clearly more cells than others. An object that no process has changed is the
+   * same as before, with the same time stamp, unless it moves.
    */
   vtkSmartPointer<vtkDataObject> Gather(vtkDataObject* input, int& numberOfMerged);
 
@@ -58,18 +59,39 @@ private:
   {
     DataVersion Given; ///< the part of this process
     vtkSmartPointer<vtkPolyData> Mesh;
+    int Destination = -1; ///< the only process that has the mesh, unless all have it
+  };
+
+  /** A leaf of the input: the part of this process, and the place in the tree. */
+  struct Leaf
+  {
+    vtkPolyData* Part;
+    vtkMultiBlockDataSet* Parent; ///< null for the root
+    unsigned int Block;
+  };
+
+  /** The processes that have parts of a leaf. */
+  struct Owners
+  {
+    int First = 0;
+    int Number = 0;
+    double Cells = 0.0; ///< of all parts
   };
 
   int Largest(int value) const;
   std::vector<int> All(int value) const;
   std::string First(const std::string& text) const;
-  vtkSmartPointer<vtkDataObject> GatherNode(vtkDataObject* node, int& numberOfMerged);
-  vtkSmartPointer<vtkDataObject> GatherLeaf(vtkPolyData* leaf, int& numberOfMerged);
+  vtkSmartPointer<vtkDataObject> GatherNode(vtkDataObject* node, vtkMultiBlockDataSet* parent,
+    unsigned int block, std::vector<Leaf>& leaves);
+  std::vector<Owners> FindOwners(const std::vector<Leaf>& leaves) const;
+  vtkPolyData* GatherLeaf(
+    vtkPolyData* part, const Owners& owners, int destination, Merged& merged, int& numberOfMerged);
+  vtkSmartPointer<vtkPolyData> Move(vtkPolyData* mesh, int owner, int destination) const;
+  vtkSmartPointer<vtkPolyData> Merge(vtkPolyData* part, int destination) const;
   void MatchFieldData(vtkDataObject* leaf);
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<Merged> Cache; ///< an entry for each leaf, in the order of the tree
-  std::size_t NextLeaf = 0;
   Merged OnAll;
 };
 

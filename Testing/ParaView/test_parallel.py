@@ -111,8 +111,8 @@ class TestParallel(unittest.TestCase):
         for time in (0, 11, 33, 49):
             self.assertEqual(counts(parts, LEVEL, time), counts(whole, LEVEL, time))
 
-    def test_blocks_stay_where_they_are(self):
-        """Each block is carved by the process that has it, and all processes have the same tree."""
+    def test_blocks_are_carved_whole(self):
+        """Each block is carved whole by one process, and all processes have the same tree."""
         carver = simple.TopologyCarver(Input=make_source(BLOCKS, "vtkMultiblockDataSet"))
         self.expect_whole(carver, 2 * POINTS + 2 * 642, 2 * TRIANGLES + 2 * 1280)
         names = ["block 0", "block 1", "block 2"]

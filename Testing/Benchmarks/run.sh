@@ -4,8 +4,9 @@
 #
 # Measures the stages of carve on generated meshes from 1,000 to 200,000 vertices, on real ones from Debian packages and
 # on MESHes (OFF, PLY, OBJ, STL, also gzipped), beside TetGen, CGAL's alpha wrap and VTK's decimations. Writes RESULTS.md
-# and growth.svg to FOLDER (by default build/results; Testing/Benchmarks has those that are kept). --large adds generated
-# meshes of up to two million vertices, which need 16 GiB of memory. N is 3 by default.
+# and growth.svg to FOLDER, by default build/results; Testing/Benchmarks has those that are kept. N is 3 by default.
+# --large adds generated meshes of up to two million vertices. By the bytes per tetrahedron of smaller ones, they need
+# about 20 GiB of memory.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../setup.sh"
 

@@ -13,7 +13,8 @@ require_packages "${build_packages[@]}" "${picture_packages[@]}" "${paraview_pac
 build release -DBUILD_TESTING=OFF
 bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
 build plugin-release -DTOPOLOGYCARVING_PARAVIEW=ON -DBUILD_TESTING=OFF \
-  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11"
+  -DParaView_ROOT="$build_root/paraview/usr"
+plugin=$(dirname "$build_root"/plugin-release/lib/paraview-*/plugins/TopologyCarving/TopologyCarving.so)
 
 work=$build_root/paraview-pictures
 mkdir -p "$folder" "$work"
@@ -36,7 +37,7 @@ picture() {
       sleep 2
       import -window root "$5"
       kill $!' bash "$build_root/paraview" \
-      "$build_root/plugin-release/lib/paraview-5.11/plugins/TopologyCarving" "$work" "$1" "$work/$2.png"
+      "$plugin" "$work" "$1" "$work/$2.png"
   grep -q 'Success =  true' "$work/$1.log" || die "The session $1 failed; see $work/$1.log"
   # Smaller and with fewer colors, for the web.
   convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"

@@ -20,5 +20,9 @@ done | xargs -0 cp --parents --symbolic-link --no-dereference --target-directory
   apt-get -qq -o APT::Sandbox::User=root download python3-paraview
   dpkg-deb -x python3-paraview_*.deb .
   rm python3-paraview_*.deb
+  # ParaView's exported targets name these files without the version of Python, which Debian 13 adds.
+  find usr/lib/python3 -name '*.cpython-*.so' | while read -r module; do
+    ln -s "$(basename "$module")" "${module%%.*}.so"
+  done
 )
 touch "$folder/.complete"

@@ -29,7 +29,7 @@ xvfb-run -a ctest --test-dir "$build_root/testing" -j$jobs --output-on-failure
 
 bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
 build plugin -DTOPOLOGYCARVING_PARAVIEW=ON -DCMAKE_CXX_FLAGS="-Wall -Wextra -Werror" \
-  -DParaView_DIR="$build_root/paraview/usr/lib/x86_64-linux-gnu/cmake/paraview-5.11" \
+  -DParaView_ROOT="$build_root/paraview/usr" \
   -DTOPOLOGYCARVING_CARVE="$build_root/testing/bin/carve"
 say "Testing the plugin for ParaView"
 # Without -noreset, the X server refuses clients that connect while the last client disconnects.

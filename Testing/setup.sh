@@ -14,10 +14,15 @@ build_packages=(
 picture_packages=(libgl1-mesa-dri python3 python3-vtk9 xauth xvfb)
 test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
 # python3-paraview conflicts with python3-vtk9 and is not installed: paraview_prefix.sh unpacks it elsewhere.
-# ParaView draws its icons with libqt5svg5 and parses its files with libexpat1.
+# ParaView parses its files with libexpat1.
 paraview_packages=(
-  libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev libqt5svg5 mpi-default-bin
-  paraview paraview-dev python3-xlib qtbase5-dev)
+  libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev mpi-default-bin
+  paraview paraview-dev python3-xlib)
+# The Qt of ParaView; ParaView draws its icons with the second package.
+case $(. /etc/os-release && printf '%s' "${VERSION_ID:-}") in
+  12) paraview_packages+=(qtbase5-dev libqt5svg5) ;;
+  *) paraview_packages+=(qt6-base-dev qt6-svg-plugins) ;;
+esac
 
 say() {
   printf '\n== %s\n' "$*"
@@ -52,7 +57,7 @@ install_packages() {
 # hide problems that users of the current version have. Offline, the installed versions are used.
 require_packages() {
   local package missing=() old=() today=$build_root/.packages-of-today
-  command -v dpkg-query >/dev/null || die "This script is for Debian 12. Elsewhere, follow 'Building by hand' in README.md."
+  command -v dpkg-query >/dev/null || die "This script is for Debian 12 and 13. Elsewhere, follow 'Building by hand' in README.md."
   for package in "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done

@@ -3,6 +3,8 @@
 
 #include "Core/Mesh/Vector.h"
 
+// CGAL 6 deprecates these names of CGAL 5, which has no others.
+#define CGAL_NO_DEPRECATION_WARNINGS
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>

@@ -138,6 +138,18 @@ bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
 }
 
 //------------------------------------------------------------------------------
+double vtkExtractCarvedLOD::GetLeastCommonTarget(int type)
+{
+  double least = 0.0;
+  for (const carving::Profile& profile : this->Streams->GetProfiles(GetInputOf(this)))
+  {
+    least =
+      std::max(least, carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type))[0]);
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
 bool vtkExtractCarvedLOD::GetProfile(vtkTable* profile)
 {
   profile->Initialize();

@@ -161,6 +161,9 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
+  /** The least target that is in the range of every leaf; 0 without an input. */
+  double GetLeastCommonTarget(int type);
+
   int LevelTargetType = VERTICES;
   double LevelTarget = 1000.0;
   int LevelSimplification = SUBSET;

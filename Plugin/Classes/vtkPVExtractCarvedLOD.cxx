@@ -3,6 +3,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkPVExtractCarvedLOD);
@@ -83,7 +84,10 @@ int vtkPVExtractCarvedLOD::RequestData(
   if (this->LevelTargetType == VERTICES && this->VertexTarget == 0 &&
     this->GetLevelTargetRange(VERTICES, range))
   {
-    this->VertexTarget = static_cast<int>(std::lround(std::sqrt(range[0] * range[1])));
+    // No object of a collection is asked for less than its hull.
+    const double least = this->GetLeastCommonTarget(VERTICES);
+    this->VertexTarget =
+      static_cast<int>(std::lround(std::max(std::sqrt(range[0] * range[1]), least)));
   }
   const double targets[] = { static_cast<double>(this->VertexTarget),
     static_cast<double>(this->TriangleTarget), this->FeatureSizeTarget,

@@ -22,7 +22,8 @@ public:
   ///@{
   /**
    * The LevelTarget for each LevelTargetType. The default of the VertexTarget is 0: the next update
-   * sets it to the geometric mean of its range, so that the level is between hull and mesh.
+   * sets it to the geometric mean of its range, so that the level is between hull and mesh, or to
+   * the vertices of the largest hull in a collection if these are more.
    */
   vtkSetClampMacro(VertexTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(VertexTarget, int);

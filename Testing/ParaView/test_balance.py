@@ -64,7 +64,7 @@ self.GetOutputDataObject(0).SetPoints(points)
 def carve_scene(number, owner):
     source = simple.ProgrammableSource(
         Script=SCENE.format(number=number, owner=owner), OutputDataSetType="vtkMultiblockDataSet")
-    return simple.TopologyCarver(Input=source)
+    return simple.TopologyCarver(Input=source, FollowTime=1)
 
 
 def expected_counts(number):

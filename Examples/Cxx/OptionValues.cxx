@@ -75,7 +75,7 @@ std::string DescribeRange(const vtkCarverProperty& property)
 
 } // namespace
 
-const vtkCarverProperty& FindProperty(const std::string& name)
+const vtkCarverProperty& FindProperty(const char* name)
 {
   const auto& all = vtkCarverProperty::GetAll();
   return *std::find_if(all.begin(), all.end(),

@@ -9,7 +9,7 @@ struct Options;
 struct vtkCarverProperty;
 
 /** A property by its name, which has to exist. */
-const vtkCarverProperty& FindProperty(const std::string& name);
+const vtkCarverProperty& FindProperty(const char* name);
 
 /** The types of level targets, each of which has an option. */
 const std::vector<std::string>& GetTargetTypes();

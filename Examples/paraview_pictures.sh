@@ -3,7 +3,8 @@
 # usage: bash Examples/paraview_pictures.sh [FOLDER]
 #
 # Installs the required packages, builds the plugin, replays the recorded sessions of the tests in ParaView with
-# the bones of a foot, and writes pictures of ParaView's window to FOLDER (by default Examples/images).
+# the bones of a foot, and writes pictures of ParaView's window to FOLDER (by default Examples/images). Their names have
+# ParaView's version.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../Testing/setup.sh"
 
@@ -15,6 +16,7 @@ bash "$root/Testing/paraview_prefix.sh" "$build_root/paraview"
 build plugin-release -DTOPOLOGYCARVING_PARAVIEW=ON -DBUILD_TESTING=OFF \
   -DParaView_ROOT="$build_root/paraview/usr"
 plugin=$(dirname "$build_root"/plugin-release/lib/paraview-*/plugins/TopologyCarving/TopologyCarving.so)
+version=$(basename "$build_root"/plugin-release/lib/paraview-*)
 
 work=$build_root/paraview-pictures
 mkdir -p "$folder" "$work"
@@ -42,9 +44,9 @@ picture() {
   # Smaller and with fewer colors, for the web.
   convert "$work/$2.png" -resize 900x -colors 128 "$folder/$2.png"
 }
-picture FirstLevel paraview-first
-picture PickLevel paraview-slider
-picture PlayCarving paraview-play
+picture FirstLevel "$version-first"
+picture PickLevel "$version-slider"
+picture PlayCarving "$version-play"
 
 say "Done"
-printf 'pictures  %s\n' "$folder"/paraview-{first,slider,play}.png
+printf 'pictures  %s\n' "$folder/$version"-{first,slider,play}.png

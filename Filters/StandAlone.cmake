@@ -4,13 +4,14 @@
 find_program(Python3_EXECUTABLE NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH
   DOC "The Python interpreter that VTK's Python modules were built for")
 
+# Libraries outside of VTK, such as jsoncpp's, are known only to the folder that finds them first and those below it.
 find_package(VTK 9.1 REQUIRED
   COMPONENTS
     CommonCore CommonDataModel CommonExecutionModel CommonMisc FiltersCore FiltersGeneral vtksys
     ParallelCore
   OPTIONAL_COMPONENTS
     FiltersSources InteractionStyle IOCore IOGeometry IOLegacy IOPLY IOXML Python RenderingCore
-    RenderingOpenGL2 TestingCore TestingRendering WrappingPythonCore)
+    RenderingOpenGL2 TestingCore TestingRendering WrappingPythonCore jsoncpp)
 
 set(cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/TopologyCarving")
 
@@ -43,6 +44,8 @@ if (VTK_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
     SOABI               "${Python3_SOABI}"
     BUILD_STATIC        OFF
     INSTALL_HEADERS     OFF)
+  # VTK 9.3 generates initializers that lack the latest members of Python 3.13's types.
+  target_compile_options(vtkTopologyCarvingPython PRIVATE -Wno-missing-field-initializers)
   set(package_file "${CMAKE_BINARY_DIR}/${python_destination}/topologycarving/__init__.py")
   file(GENERATE OUTPUT "${package_file}" CONTENT
 "\"\"\"Topology simplification of triangle meshes by carving: VTK filters.
@@ -56,7 +59,7 @@ help(vtkTopologyCarver) explains properties, outputs and arrays.
 \"\"\"
 from .vtkTopologyCarving import *
 ")
-  install(FILES "${package_file}" DESTINATION "${python_destination}/topologycarving")
+  install(FILES "${package_file}" DESTINATION "${python_destination}/topologycarving" COMPONENT python)
 else ()
   message(WARNING "The Python package is not built: VTK's Python wrapping was not found.")
 endif ()
@@ -73,4 +76,5 @@ install(
   FILES
     "${package_directory}/topologycarving-config.cmake"
     "${package_directory}/topologycarving-config-version.cmake"
-  DESTINATION "${cmake_destination}")
+  DESTINATION "${cmake_destination}"
+  COMPONENT development)

@@ -3,8 +3,9 @@
 
 #include "Convert/ArrayTools.h"
 #include "Objects/DataVersion.h"
+#include "Objects/LevelCollection.h"
 #include "Objects/ObjectExchange.h"
-#include "Objects/OutputType.h"
+#include "Objects/TypedOutput.h"
 #include "Session/CarverSession.h"
 #include "vtkCarverProperty.h"
 #include "vtkCompositeDataSet.h"
@@ -14,6 +15,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -182,10 +184,10 @@ int vtkCarverAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkCarverAlgorithm::FillOutputPortInformation(int port, vtkInformation* info)
+int vtkCarverAlgorithm::FillOutputPortInformation(int, vtkInformation* info)
 {
-  // The types of ports 1 and 2 follow the input's.
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkMultiBlockDataSet" : "vtkDataObject");
+  // The type of port 0 follows OutputType, those of ports 1 and 2 follow the input's.
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
   return 1;
 }
 
@@ -194,12 +196,14 @@ int vtkCarverAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector** in, vtkInformationVector* out)
 {
   const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
-  const int types[] = { VTK_MULTIBLOCK_DATA_SET,
+  const int types[] = { this->OutputType == PARTITIONED_COLLECTION
+      ? VTK_PARTITIONED_DATA_SET_COLLECTION
+      : VTK_MULTIBLOCK_DATA_SET,
     composite ? VTK_MULTIBLOCK_DATA_SET : VTK_UNSTRUCTURED_GRID,
     composite ? VTK_MULTIBLOCK_DATA_SET : VTK_TABLE };
   for (int port = 0; port < 3; ++port)
   {
-    OutputType::SetOutputDataObject(types[port], out->GetInformationObject(port), true);
+    TypedOutput::SetOutputDataObject(types[port], out->GetInformationObject(port), true);
   }
   return 1;
 }
@@ -262,7 +266,11 @@ int vtkCarverAlgorithm::RequestData(
     this->SetAbortExecute(0); // pipelines before VTK 9.3 do not reset the request
   }
   const CarverSettings settings = this->GetSettings();
-  const CarverPorts ports = { vtkMultiBlockDataSet::GetData(out, 0), vtkDataObject::GetData(out, 1),
+  auto* collection = vtkPartitionedDataSetCollection::GetData(out, 0);
+  vtkSmartPointer<vtkMultiBlockDataSet> levels = collection
+    ? vtkSmartPointer<vtkMultiBlockDataSet>::New()
+    : vtkSmartPointer<vtkMultiBlockDataSet>(vtkMultiBlockDataSet::GetData(out, 0));
+  const CarverPorts ports = { levels, vtkDataObject::GetData(out, 1),
     vtkDataObject::GetData(out, 2) };
   vtkSmartPointer<vtkDataObject> input = vtkDataObject::GetData(in[0], 0);
   vtkSmartPointer<vtkPolyData> initial = vtkPolyData::GetData(in[1], 0);
@@ -299,6 +307,10 @@ int vtkCarverAlgorithm::RequestData(
     {
       this->Exchange->Match(output);
     }
+  }
+  if (collection)
+  {
+    CopyLevels(levels, collection);
   }
   return good || this->WasAborted ? 1 : 0;
 }

@@ -93,6 +93,13 @@ public:
     STEP = 6
   };
 
+  /** The class of the data on output port 0. */
+  enum OutputTypes
+  {
+    MULTIBLOCK = 0,
+    PARTITIONED_COLLECTION = 1
+  };
+
   /** Whether levels are decimated after carving. Not in the paper. */
   enum LevelSimplifications
   {
@@ -338,6 +345,10 @@ public:
    * wall-clock time and in MiB. An attempt that exceeds a limit counts as failed. 0, the default,
    * means no limit on memory, and for time a limit in processor time that suffices for every mesh
    * that TetGen can tetrahedralize, so that the result does not depend on how busy the machine is.
+   * In the portable build, the limit on memory has no effect.
+   *
+   * Without a MemoryLimit, a mesh is refused if it needs more memory than the machine has. The need
+   * is estimated from the numbers of vertices and triangles.
    */
   void SetTimeLimit(double value)
   {
@@ -395,11 +406,24 @@ public:
 
   ///@{
   /**
-   * The number of leaves of a composite input that are worked on at a time: while one is carved,
-   * helper programs decompose the next ones. Fewer run where the memory of the machine would not
-   * suffice. The outputs do not depend on this number. With 0, the default, as many as
-   * vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0. The seconds of the helper
-   * program's stages add up to more than the update takes then (see GetStageSeconds).
+   * The class of the levels on output port 0.
+   * - MULTIBLOCK (default): a vtkMultiBlockDataSet with a block per level.
+   * - PARTITIONED_COLLECTION: a vtkPartitionedDataSetCollection with a partitioned data set of one
+   *   partition per level, and the names (and for a composite input, the tree) in its data assembly.
+   *   GetOutput() is null then; GetOutputDataObject(0) has the levels.
+   */
+  vtkSetClampMacro(OutputType, int, MULTIBLOCK, PARTITIONED_COLLECTION);
+  vtkGetMacro(OutputType, int);
+  ///@}
+
+  ///@{
+  /**
+   * The number of processors to use. As many leaves of a composite input are worked on at a time:
+   * while one is carved, helper programs decompose the next ones. Fewer run where the memory of the
+   * machine would not suffice. If there are more processors than leaves, several work on each leaf:
+   * TetGen runs while crossings are searched for, and winding numbers, the profile and levels are
+   * computed by several threads. The outputs do not depend on this number. With 0, the default, as
+   * many as vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
@@ -489,7 +513,9 @@ public:
   /**
    * The wall-clock seconds that each stage of the last update took, summed over the leaves of a
    * composite input. The first stages belong to the helper program; their seconds are 0 if its
-   * result was reused. An index out of range gives 0 and null.
+   * result was reused. With several processors (NumberOfThreads), the helper programs of a composite
+   * input run beside each other, so that the sum exceeds the time of the update; and `resolve` is 0
+   * where TetGen ran meanwhile. An index out of range gives 0 and null.
    */
   int GetNumberOfStages();
   const char* GetStageName(int stage);
@@ -543,6 +569,7 @@ protected:
   double EnclosingTolerance = 0.02;
   double SnapTolerance = 0.0;
   bool AppendInput = false;
+  int OutputType = MULTIBLOCK;
   double TimeLimit = 0.0;
   double MemoryLimit = 0.0;
   int NumberOfLevels = 8;

@@ -59,7 +59,8 @@ std::vector<vtkCarverProperty> MakeProperties()
       "The wall-clock time that one attempt at a tetrahedralization may take, in seconds. 0: a "
       "limit that is rarely reached." },
     { NAMED(MemoryLimit), NoChoices, 0.0, VTK_DOUBLE_MAX, NotStored,
-      "The memory that one attempt at a tetrahedralization may take, in MiB. 0: no limit." },
+      "The memory that one attempt at a tetrahedralization may take, in MiB. 0: no limit. "
+      "Without effect in the portable build." },
     { NAMED(SolidRule), { "NONZERO_WINDING", "EVEN_ODD", "SURFACE_ONLY" }, 0, 0, Stored,
       "The solid part of the space that the mesh encloses: where the winding number is at least "
       "one half in magnitude, where an odd number of surfaces lies between a point and the "
@@ -114,6 +115,7 @@ std::vector<vtkCarverProperty> MakeProperties()
       "of triangles in a vertex. (Section 3.3)" },
     { NAMED(AppendInput), Switch, 0, 0, NotStored,
       "Whether a mesh that is only enclosed follows as the last level." },
+    { NAMED(OutputType), { "MULTIBLOCK", "PARTITIONED_COLLECTION" }, 0, 0, NotStored, "" },
   };
 }
 

@@ -4,6 +4,7 @@
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
 #include "Convert/CarverInput.h"
+#include "Convert/CellArrays.h"
 #include "Convert/PointOutput.h"
 #include "Objects/CompositeTree.h"
 #include "Process/HelperProcess.h"
@@ -49,11 +50,7 @@ void FillSurface(const carving::Decimation& decimation, const carving::Decimated
   }
   FillPoints<3>(points, input, output);
   vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(surface.Triangles.size(), 3 * surface.Triangles.size());
-  for (const auto& [a, b, c] : surface.Triangles)
-  {
-    triangles->InsertNextCell({ a, b, c });
-  }
+  FillCellArray(surface.Triangles, triangles);
   output->SetPolys(triangles);
   vtkFieldData* fieldData = output->GetFieldData();
   AddFieldValue<vtkIntArray>(

@@ -6,7 +6,7 @@
 #include "Convert/StreamOutput.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Objects/CompositeTree.h"
-#include "Objects/OutputType.h"
+#include "Objects/TypedOutput.h"
 #include "Session/PreparedStreams.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -21,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -62,7 +63,7 @@ vtkTypeBool vtkExtractCarvedLOD::ProcessRequest(
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
     const bool composite = vtkCompositeDataSet::GetData(in[0]) != nullptr;
-    OutputType::SetOutputDataObject(
+    TypedOutput::SetOutputDataObject(
       composite ? VTK_MULTIBLOCK_DATA_SET : VTK_POLY_DATA, out->GetInformationObject(0), true);
     return 1;
   }
@@ -120,31 +121,30 @@ int vtkExtractCarvedLOD::RequestInformation(
 bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
 {
   range[0] = range[1] = 0.0;
-  bool found = false;
-  for (const carving::Profile& profile : this->Streams->GetProfiles(GetInputOf(this)))
+  const std::vector<TargetRange> ranges =
+    PreparedStreams::GetTargetRanges(GetInputOf(this), static_cast<carving::LevelTarget>(type));
+  if (ranges.empty())
   {
-    const auto [least, greatest] =
-      carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type));
-    range[0] = found ? std::min(range[0], least) : least;
-    range[1] = found ? std::max(range[1], greatest) : greatest;
-    found = true;
+    return false;
   }
-  if (found && this->LevelSimplification == ENCLOSING_COLLAPSE)
+  range[0] = HUGE_VAL;
+  for (const auto& [least, greatest, leastSimplified] : ranges)
   {
-    range[0] = std::min(range[0],
-      this->Streams->FindLeastTarget(GetInputOf(this), static_cast<carving::LevelTarget>(type)));
+    range[0] =
+      std::min(range[0], this->LevelSimplification == ENCLOSING_COLLAPSE ? leastSimplified : least);
+    range[1] = std::max(range[1], greatest);
   }
-  return found;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 double vtkExtractCarvedLOD::GetLeastCommonTarget(int type)
 {
   double least = 0.0;
-  for (const carving::Profile& profile : this->Streams->GetProfiles(GetInputOf(this)))
+  for (const TargetRange& range :
+    PreparedStreams::GetTargetRanges(GetInputOf(this), static_cast<carving::LevelTarget>(type)))
   {
-    least =
-      std::max(least, carving::GetTargetRange(profile, static_cast<carving::LevelTarget>(type))[0]);
+    least = std::max(least, range.Least);
   }
   return least;
 }

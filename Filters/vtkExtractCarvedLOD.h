@@ -128,14 +128,15 @@ public:
 
   /**
    * The least and the greatest target of a type that pick different levels of the input as it is
-   * now, over all its streams. Returns false, with the range 0 to 0, if there is no stream.
+   * now, over all its streams, in parallel on all processes. Returns false, with the range 0 to 0,
+   * if there is no stream.
    */
   bool GetLevelTargetRange(int type, double range[2]);
 
   /**
    * Fills a table with the profile of the input as it is now, like output port 2 of the carver. For
-   * a composite input, the profile is that of the first stream. Returns false, with an empty table,
-   * if there is no stream.
+   * a composite input, the profile is that of the first stream on this process. Returns false, with
+   * an empty table, if there is no stream.
    */
   bool GetProfile(vtkTable* profile);
 

@@ -78,7 +78,9 @@
  * - points: `vtkOriginalPointIds` and the input's point data as above.
  * - field data: the settings under the names of the properties, and the columns of the profile
  *   under their names after "Profile": `ProfileVertices` and so on (`ProfileError` only if errors
- *   have been computed).
+ *   have been computed); `TargetRanges`: per target of vtkExtractCarvedLOD's LevelTargetType the
+ *   least and the greatest that select different levels, and the least with simplified levels. In
+ *   parallel, the processes without the stream have an empty grid with this array.
  *
  * With simplified levels, the stream also has their new points, after all others, and field data:
  * - `SimplifiedSteps`: per decimated step the step, the numbers of vertices, triangles and

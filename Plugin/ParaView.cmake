@@ -29,7 +29,9 @@ else ()
     "stop a carving.")
 endif ()
 
-# The helper program is installed beside the plugin.
+# The helper program is installed beside the plugin, and both in a component without ParaView's own rules, which install
+# static libraries.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME plugin)
 set(TOPOLOGYCARVING_LIBRARY_DESTINATION
   "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/TopologyCarving")
 set(TOPOLOGYCARVING_HELPER_DESTINATION "${TOPOLOGYCARVING_LIBRARY_DESTINATION}")

@@ -32,16 +32,23 @@ void ErrorLog::DisplayErrorText(const char* text)
   const std::string message = ExtractMessage(text);
   if (message.find("returned failure for request") == std::string::npos)
   {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Errors.push_back(message);
   }
 }
 
 void ErrorLog::DisplayWarningText(const char* text)
 {
-  this->Warnings.push_back(ExtractMessage(text));
+  this->AddWarning(text);
 }
 
 void ErrorLog::DisplayGenericWarningText(const char* text)
 {
+  this->AddWarning(text);
+}
+
+void ErrorLog::AddWarning(const char* text)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Warnings.push_back(ExtractMessage(text));
 }

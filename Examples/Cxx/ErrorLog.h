@@ -4,6 +4,7 @@
 
 #include "vtkOutputWindow.h"
 
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,13 @@ public:
   void DisplayWarningText(const char* text) override;
   void DisplayGenericWarningText(const char* text) override;
 
+  // Threads may write files beside each other. Nobody reads these lists meanwhile.
   std::vector<std::string> Errors;
   std::vector<std::string> Warnings;
+
+private:
+  void AddWarning(const char* text);
+  std::mutex Mutex;
 };
 
 #endif

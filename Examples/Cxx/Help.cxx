@@ -108,8 +108,8 @@ OPTIONS
             seconds     of each stage, by its name
 
     --threads N
-        The number of inputs that are worked on at a time. Default: 0, as many as VTK
-        has threads.
+        The number of processors to use, for several inputs and within each. Default: 0,
+        as many as VTK has threads.
 
     --initial-mesh FILE
         The mesh for the initial approximation custom, which this option implies. The

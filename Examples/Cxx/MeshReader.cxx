@@ -4,6 +4,7 @@
 #include "ErrorLog.h"
 #include "FileName.h"
 #include "OffReader.h"
+#include "System/TemporaryFile.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -23,8 +24,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <vector>
 #include <zlib.h>
 
@@ -117,21 +116,22 @@ std::string Unpack(const std::string& fileName, const std::string& unpacked)
   }
   const bool good = in && gzclose(in) == Z_OK && length == 0;
   out.close();
-  return !good ? "it is not a whole gzip file" : !out ? "there is not enough memory for it" : "";
+  return !good ? "it is not a whole gzip file"
+    : !out     ? "there is not enough room for it in " + TemporaryFile::GetPlace()
+               : "";
 }
 
-/**
- * Reads a gzipped file. VTK's readers need the name of a plain file, which is one in memory here.
- */
+/** Reads a gzipped file. VTK's readers need the name of a plain file, a temporary one here. */
 std::string ReadPacked(
   const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
 {
-  const int file = memfd_create("carve-input", MFD_CLOEXEC);
-  const std::string unpacked = "/proc/self/fd/" + std::to_string(file);
-  std::string error = Unpack(fileName, unpacked);
-  error = error.empty() ? ReadFormat(unpacked, extension, log, mesh) : error;
-  close(file);
-  return error;
+  const TemporaryFile unpacked("carve-input");
+  if (!unpacked.IsOpen())
+  {
+    return "no file could be opened in " + TemporaryFile::GetPlace();
+  }
+  const std::string error = Unpack(fileName, unpacked.GetPath());
+  return error.empty() ? ReadFormat(unpacked.GetPath(), extension, log, mesh) : error;
 }
 
 } // namespace

@@ -38,11 +38,6 @@ struct Curve
   unsigned char Color[3];
 };
 
-bool IsChart(const std::string& fileName)
-{
-  return FileName::GetExtension(fileName) == ".png";
-}
-
 /** Without a display, VTK would end the process. */
 bool HasDisplay()
 {
@@ -156,6 +151,11 @@ bool WriteTable(const std::string& fileName, vtkTable* profile)
 }
 
 } // namespace
+
+bool ProfileFile::IsChart(const std::string& fileName)
+{
+  return FileName::GetExtension(fileName) == ".png";
+}
 
 std::string ProfileFile::Check(const std::string& fileName)
 {

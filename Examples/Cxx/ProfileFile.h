@@ -9,6 +9,9 @@ class vtkTable;
 namespace ProfileFile
 {
 
+/** Whether a chart is written under that name, and not a table. */
+bool IsChart(const std::string& fileName);
+
 /** Returns an empty string, or the reason why no file can be written under that name. */
 std::string Check(const std::string& fileName);
 

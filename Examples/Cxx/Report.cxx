@@ -13,6 +13,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <cstdio>
+#include <future>
 
 namespace
 {
@@ -47,13 +48,23 @@ std::string WriteFolder(const Options& options, ErrorLog* log, Report& report)
 std::string WriteFiles(const Options& options, ErrorLog* log, Report& report)
 {
   report.Clock.Start();
+  // A table takes as long as the levels, and is written beside them. A chart stays in the main
+  // thread.
+  std::future<std::string> profile;
+  if (!options.Profile.empty())
+  {
+    const auto anywhere = std::launch::async | std::launch::deferred;
+    profile = std::async(ProfileFile::IsChart(options.Profile) ? std::launch::deferred : anywhere,
+      [&] { return ProfileFile::Write(options.Profile, report.Profile, options.Contours); });
+  }
   std::string error = options.Output.empty() ? ""
     : options.WritesFolder()
     ? WriteFolder(options, log, report)
     : LevelWriter::Write(options.Output, report.Levels, log, report.Files, report.Warnings);
-  if (error.empty() && !options.Profile.empty())
+  if (profile.valid())
   {
-    error = ProfileFile::Write(options.Profile, report.Profile, options.Contours);
+    const std::string profileError = profile.get();
+    error = error.empty() ? profileError : error;
     report.Files.push_back(options.Profile);
   }
   if (!report.Files.empty())

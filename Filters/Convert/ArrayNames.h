@@ -32,6 +32,7 @@ constexpr const char* ProfileComponents = "ProfileComponents";
 constexpr const char* ProfileTunnels = "ProfileTunnels";
 constexpr const char* ProfileVoids = "ProfileVoids";
 constexpr const char* ProfilePriority = "ProfilePriority";
+constexpr const char* TargetRanges = "TargetRanges";
 // Only if levels have been simplified.
 constexpr const char* SimplifiedType = "SimplifiedType";
 constexpr const char* SimplifiedSteps = "SimplifiedSteps";

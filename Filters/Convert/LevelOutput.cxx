@@ -3,6 +3,7 @@
 
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
+#include "Convert/CellArrays.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 #include "vtkCellArray.h"
@@ -127,15 +128,8 @@ template <int D>
 void FillFaces(const std::vector<std::array<int, D>>& corners, const std::vector<int>& cells,
   vtkUnstructuredGrid* grid, vtkPolyData* output)
 {
-  vtkNew<vtkIdTypeArray> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(D * corners.size()));
-  vtkIdType* to = connectivity->GetPointer(0);
-  for (const auto& face : corners)
-  {
-    to = std::copy(face.begin(), face.end(), to);
-  }
   vtkNew<vtkCellArray> faces;
-  faces->SetData(D, connectivity);
+  FillCellArray(corners, faces);
   if (D == 3)
   {
     output->SetPolys(faces);
@@ -180,8 +174,9 @@ void FillInputFaces(const carving::ResolvedMesh& mesh, const std::vector<vtkIdTy
   vtkCellData* inputData, vtkPolyData* output)
 {
   const vtkIdType count = static_cast<vtkIdType>(mesh.Facets.size());
-  vtkNew<vtkIdList> ids;
   vtkNew<vtkCellArray> polys;
+  FillCellArray(mesh.Facets, polys);
+  vtkNew<vtkIdList> ids;
   auto originals = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, count);
   auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, count);
   auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, count);
@@ -189,8 +184,6 @@ void FillInputFaces(const carving::ResolvedMesh& mesh, const std::vector<vtkIdTy
   depth->Fill(0.0);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto& [a, b, c] = mesh.Facets[i];
-    polys->InsertNextCell({ a, b, c });
     const vtkIdType original = cellIds[mesh.FacetSources[i]];
     ids->InsertNextId(original);
     originals->SetValue(i, original);

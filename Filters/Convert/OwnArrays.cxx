@@ -26,9 +26,9 @@ constexpr const char* FieldNames[] = { StreamArrays::Step, LevelArrays::Vertices
   LevelArrays::SurfaceGenus, StreamArrays::Measure, StreamArrays::BothFoldSides,
   StreamArrays::ProfileVertices, StreamArrays::ProfileTriangles, StreamArrays::ProfileError,
   StreamArrays::ProfileVolume, StreamArrays::ProfileComponents, StreamArrays::ProfileTunnels,
-  StreamArrays::ProfileVoids, StreamArrays::ProfilePriority, StreamArrays::SimplifiedType,
-  StreamArrays::SimplifiedSteps, StreamArrays::SimplifiedPoints, StreamArrays::SimplifiedFaces,
-  StreamArrays::SimplifiedLevels, NotesArray };
+  StreamArrays::ProfileVoids, StreamArrays::ProfilePriority, StreamArrays::TargetRanges,
+  StreamArrays::SimplifiedType, StreamArrays::SimplifiedSteps, StreamArrays::SimplifiedPoints,
+  StreamArrays::SimplifiedFaces, StreamArrays::SimplifiedLevels, NotesArray };
 
 /** Renames arrays, each by a copy, and adds "old" as "new" to the list. */
 template <std::size_t N>

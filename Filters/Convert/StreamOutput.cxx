@@ -2,6 +2,7 @@
 #include "Convert/StreamOutput.h"
 
 #include "Convert/ArrayTools.h"
+#include "Convert/CellArrays.h"
 #include "Convert/PointOutput.h"
 #include "Core/Stream/Faces.h"
 #include "vtkCellArray.h"
@@ -42,30 +43,12 @@ void FillCells(const Decomposition<D>& mesh, vtkUnstructuredGrid* output)
 {
   const vtkIdType cells = static_cast<vtkIdType>(mesh.Cells.size());
   const vtkIdType facets = static_cast<vtkIdType>(mesh.Surface.Facets.size());
-  vtkNew<vtkIdTypeArray> connectivity, offsets;
-  connectivity->SetNumberOfValues((D + 1) * cells + D * facets);
-  offsets->SetNumberOfValues(cells + facets + 1);
   vtkNew<vtkUnsignedCharArray> types;
   types->SetNumberOfValues(cells + facets);
-  vtkIdType* to = connectivity->GetPointer(0);
-  vtkIdType i = 0;
-  const auto append = [&](const auto& corners, unsigned char type)
-  {
-    offsets->SetValue(i, to - connectivity->GetPointer(0));
-    types->SetValue(i++, type);
-    to = std::copy(corners.begin(), corners.end(), to);
-  };
-  for (const auto& cell : mesh.Cells)
-  {
-    append(cell, D == 3 ? VTK_TETRA : VTK_TRIANGLE);
-  }
-  for (const auto& facet : mesh.Surface.Facets)
-  {
-    append(facet, D == 3 ? VTK_TRIANGLE : VTK_LINE);
-  }
-  offsets->SetValue(i, to - connectivity->GetPointer(0));
+  std::fill_n(types->GetPointer(0), cells, D == 3 ? VTK_TETRA : VTK_TRIANGLE);
+  std::fill_n(types->GetPointer(cells), facets, D == 3 ? VTK_TRIANGLE : VTK_LINE);
   vtkNew<vtkCellArray> all;
-  all->SetData(offsets, connectivity);
+  FillCellArray(mesh.Cells, all, mesh.Surface.Facets);
   output->SetCells(types, all);
 }
 

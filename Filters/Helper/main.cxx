@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * carving-helper: reads a job from standard input and writes the reply to standard output, in the
- * format of Protocol.h. The exit code is 0 if there is a reply, even one with an error, and 2 if
- * there is none.
+ * carving-helper: reads a job and writes the reply to the files of HostLink.h, in the format of
+ * Protocol.h. The exit code is 0 if there is a reply, even one with an error, and 2 if there is
+ * none.
  */
 #include "Core/Protocol/Protocol.h"
 #include "Core/Protocol/SecondsSince.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
+#include "Helper/HostLink.h"
 #include "Helper/Plane/InitialContour.h"
 #include "Helper/Plane/Triangulate.h"
 #include "Helper/Resolve/Clean.h"
@@ -17,15 +18,12 @@
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <new>
-
-#include <sys/prctl.h>
-#include <unistd.h>
 
 using namespace carving;
 using namespace carving::helper;
@@ -93,14 +91,18 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
+StrategyHost HostOf(Reporter& reporter, const std::function<bool()>& write)
+{
+  return { [&](Stage stage) { reporter.Begin(stage); },
+    [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
+}
+
 /** Returns whether a reply has been written. */
 bool TetrahedralizeGiven(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   Reporter reporter(reply);
   CleanGiven(job, reply, reporter);
-  const StrategyHost host = { [&](Stage stage) { reporter.Begin(stage); },
-    [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
-  return TryStrategies(job, reply, host) || write();
+  return TryStrategies(job, reply, HostOf(reporter, write)) || write();
 }
 
 void TriangulateGiven(const Job& job, Reply& reply)
@@ -136,7 +138,7 @@ void DecimateGiven(const Job& job, Reply& reply)
 }
 
 /** Does a job of any kind. Returns whether a reply has been written. */
-bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
+bool DoJob(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   switch (job.Kind)
   {
@@ -155,29 +157,21 @@ bool Work(const Job& job, Reply& reply, const std::function<bool()>& write)
   return false;
 }
 
-std::string ReadAll(std::istream& in)
+/** Returns an empty string, or an error. */
+std::string ReadJob(const HostLink& link, Job& job)
 {
-  std::string all;
+  std::ifstream in(link.JobPath, std::ios::binary);
+  std::string input;
   std::vector<char> chunk(1 << 20);
   while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0)
   {
-    all.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+    input.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
   }
-  return all;
-}
-
-/** Returns an empty string, or an error. */
-std::string ReadJob(Job& job)
-{
-  const std::string input = ReadAll(std::cin);
   return Read(input.data(), input.size(), job);
 }
 
-/**
- * Writes the reply from the beginning of its file, over anything that a failed child process has
- * written.
- */
-bool WriteReply(int descriptor, Reply& reply)
+/** Writes the reply, over any that a child process whose work failed has written. */
+bool WriteReply(const HostLink& link, Reply& reply)
 {
   if (!reply.Error.empty())
   {
@@ -185,51 +179,50 @@ bool WriteReply(int descriptor, Reply& reply)
     reply.Plane = {};
     reply.Decimation = {};
   }
-  std::fflush(stdout);
-  dup2(descriptor, STDOUT_FILENO);
-  // Both fail on a pipe, where nothing has been written before.
-  lseek(STDOUT_FILENO, 0, SEEK_SET);
-  const int truncated = ftruncate(STDOUT_FILENO, 0);
-  static_cast<void>(truncated);
-  Write(std::cout, reply);
-  std::cout.flush();
-  if (!std::cout)
+  std::ofstream out(link.ReplyPath, std::ios::binary);
+  Write(out, reply);
+  out.close();
+  if (!out)
   {
     std::cerr << "carving-helper: the reply could not be written: " << std::strerror(errno) << "\n";
-    std::cout.clear();
     return false;
   }
   return true;
 }
 
+/** Does a part of a job that another run of this program has begun. */
+bool Resume(std::istream& in, const HostLink& link)
+{
+  Job job;
+  Reply reply;
+  Reporter reporter(reply);
+  return ResumeStrategies(
+    in, job, reply, HostOf(reporter, [&] { return WriteReply(link, reply); }));
+}
+
 } // namespace
 
-int main()
+int main(int argc, char* argv[])
 {
-  prctl(PR_SET_PDEATHSIG, SIGKILL); // the helper ends with its host
-  std::signal(SIGXFSZ, SIG_IGN);    // beyond a limit on file sizes, writing the reply fails instead
-  // Standard output is reserved for the reply: TetGen's output is redirected to standard error.
-  const int replyDescriptor = dup(STDOUT_FILENO);
-  dup2(STDERR_FILENO, STDOUT_FILENO);
-  setvbuf(stdout, nullptr, _IOLBF, 0);
+  const HostLink link = ConnectToHost(argc, argv);
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // TetGen's words
+  BeginProgram(argc, argv, link.ReplyPath, [&](std::istream& in) { return Resume(in, link); });
 
-  std::ios::sync_with_stdio(false);
   Job job;
-  const std::string mistake = ReadJob(job);
+  const std::string mistake = ReadJob(link, job);
   if (!mistake.empty())
   {
     std::cerr << "carving-helper: " << mistake
-              << "\nIt is started by TopologyCarving's filters and reads their job from standard "
-                 "input.\n";
+              << "\nIt is started by TopologyCarving's filters, which give it a job.\n";
     return 2;
   }
   Reply reply;
   bool written = false;
-  const auto write = [&] { return WriteReply(replyDescriptor, reply); };
+  const auto write = [&] { return WriteReply(link, reply); };
   LimitMemory(job.MemoryLimit);
   try
   {
-    written = Work(job, reply, write);
+    written = DoJob(job, reply, write);
   }
   catch (const std::bad_alloc&)
   {

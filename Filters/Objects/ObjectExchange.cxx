@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Objects/ObjectExchange.h"
 
-#include "Convert/ArrayNames.h"
+#include "Convert/TargetRanges.h"
 #include "Objects/CompositeTree.h"
 #include "Objects/LeafPlacement.h"
+#include "Objects/TreeSummary.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
-#include "vtkDataArray.h"
 #include "vtkDataObjectTypes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
-#include "vtkMultiProcessStream.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -21,19 +17,6 @@
 
 namespace
 {
-
-/** The kind of a node of a tree. If processes disagree, the greatest value holds. */
-enum NodeKind
-{
-  NoData,
-  LeafData,
-  Composite
-};
-
-NodeKind GetKind(vtkDataObject* node)
-{
-  return !node ? NoData : node->IsA("vtkCompositeDataSet") ? Composite : LeafData;
-}
 
 vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObject>>& parts)
 {
@@ -54,43 +37,34 @@ vtkSmartPointer<vtkPolyData> Append(const std::vector<vtkSmartPointer<vtkDataObj
   return append->GetOutput();
 }
 
-/** Writes the numeric arrays. Other processes do not need texts. */
-void WriteNumbers(vtkFieldData* fieldData, vtkMultiProcessStream& stream)
+/** Gives a node the blocks, names and ranges that it has on any process. */
+void MatchNode(const TreeSummary& summary, vtkDataObject* node)
 {
-  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  if (!summary.TargetRanges.empty())
   {
-    if (vtkDataArray* array = fieldData->GetArray(i))
-    {
-      vtkNew<vtkDoubleArray> numbers;
-      numbers->DeepCopy(array);
-      const char* name = array->GetName();
-      stream << (name != nullptr) << std::string(name ? name : "") << array->GetDataType()
-             << array->GetNumberOfComponents() << static_cast<int>(array->GetNumberOfTuples());
-      stream.Push(numbers->GetPointer(0), static_cast<unsigned int>(numbers->GetNumberOfValues()));
-    }
+    AddTargetRanges(summary.TargetRanges, node->GetFieldData());
   }
-}
-
-/** Reads arrays up to the end of the stream. */
-void ReadNumbers(vtkMultiProcessStream& stream, vtkFieldData* fieldData)
-{
-  while (!stream.Empty())
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node);
+  if (!blocks)
   {
-    bool named = false;
-    std::string name;
-    int type = 0, components = 0, count = 0;
-    stream >> named >> name >> type >> components >> count;
-    vtkNew<vtkDoubleArray> numbers;
-    numbers->SetNumberOfComponents(components);
-    numbers->SetNumberOfTuples(count);
-    double* values = numbers->GetPointer(0);
-    unsigned int length = static_cast<unsigned int>(numbers->GetNumberOfValues());
-    stream.Pop(values, length);
-    vtkSmartPointer<vtkDataArray> array;
-    array.TakeReference(vtkDataArray::CreateDataArray(type));
-    array->DeepCopy(numbers);
-    array->SetName(named ? name.c_str() : nullptr);
-    fieldData->AddArray(array);
+    return;
+  }
+  blocks->SetNumberOfBlocks(static_cast<unsigned int>(summary.Children.size()));
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    const TreeSummary& child = summary.Children[i];
+    const bool known = !child.Type.empty() && child.Type != "vtkPolyData";
+    if (known && !blocks->GetBlock(i))
+    {
+      vtkSmartPointer<vtkDataObject> made;
+      made.TakeReference(vtkDataObjectTypes::NewDataObject(child.Type.c_str()));
+      blocks->SetBlock(i, made);
+    }
+    if (known)
+    {
+      MatchNode(child, blocks->GetBlock(i));
+    }
+    SetBlockName(blocks, i, child.Name);
   }
 }
 
@@ -108,55 +82,38 @@ bool ObjectExchange::IsTrueOnAll(bool here) const
 
 int ObjectExchange::Largest(int value) const
 {
-  int largest = value;
-  this->Controller->AllReduce(&value, &largest, 1, vtkCommunicator::MAX_OP);
-  return largest;
+  std::vector<int> largest = { value };
+  this->Reduce(largest, vtkCommunicator::MAX_OP);
+  return largest[0];
 }
 
-std::vector<int> ObjectExchange::All(int value) const
+/** Replaces each value by the result of an operation on the values of all processes. */
+template <class Value>
+void ObjectExchange::Reduce(std::vector<Value>& values, int operation) const
 {
-  std::vector<int> all(this->Controller->GetNumberOfProcesses());
-  this->Controller->AllGather(&value, all.data(), 1);
-  return all;
-}
-
-/** The text of the first process whose text is not empty. */
-std::string ObjectExchange::First(const std::string& text) const
-{
-  const std::vector<int> lengths = this->All(static_cast<int>(text.size()));
-  const auto owner =
-    std::find_if(lengths.begin(), lengths.end(), [](int length) { return length > 0; });
-  if (owner == lengths.end())
+  if (!values.empty())
   {
-    return {};
+    const std::vector<Value> here = values;
+    this->Controller->AllReduce(
+      here.data(), values.data(), static_cast<vtkIdType>(values.size()), operation);
   }
-  vtkMultiProcessStream stream;
-  stream << text;
-  this->Controller->Broadcast(stream, static_cast<int>(owner - lengths.begin()));
-  std::string first;
-  stream >> first;
-  return first;
 }
 
 vtkSmartPointer<vtkDataObject> ObjectExchange::Gather(vtkDataObject* input, int& numberOfMerged)
 {
   std::vector<Leaf> leaves;
-  vtkSmartPointer<vtkDataObject> result = this->GatherNode(input, nullptr, 0, leaves);
+  vtkSmartPointer<vtkDataObject> result =
+    GatherNode(input, TreeSummary::MergeAll(input, this->Controller), nullptr, 0, leaves);
   const std::vector<Owners> owners = this->FindOwners(leaves);
-  std::vector<double> costs;
-  std::vector<int> first;
-  for (const Owners& ofLeaf : owners)
-  {
-    costs.push_back(ofLeaf.Cells);
-    first.push_back(ofLeaf.First);
-  }
-  const std::vector<int> destinations =
-    PlaceLeaves(costs, first, this->Controller->GetNumberOfProcesses());
-  this->Cache.resize(leaves.size());
+  this->FillCache(leaves, owners);
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    vtkPolyData* mesh =
-      this->GatherLeaf(leaves[i].Part, owners[i], destinations[i], this->Cache[i], numberOfMerged);
+    const Merged& merged = this->Cache[i];
+    const bool isHere = this->Controller->GetLocalProcessId() == merged.Destination;
+    numberOfMerged += isHere && merged.IsNew && owners[i].Number > 1;
+    vtkPolyData* mesh = !isHere                     ? nullptr
+      : StaysInPlace(owners[i], merged.Destination) ? leaves[i].Part
+                                                    : merged.Mesh.Get();
     if (leaves[i].Parent)
     {
       leaves[i].Parent->SetBlock(leaves[i].Block, mesh);
@@ -174,40 +131,33 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::Gather(vtkDataObject* input, int&
 }
 
 /** Returns a node whose leaves are still missing, and adds them to `leaves`. */
-vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(
-  vtkDataObject* node, vtkMultiBlockDataSet* parent, unsigned int block, std::vector<Leaf>& leaves)
+vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(vtkDataObject* node,
+  const TreeSummary& summary, vtkMultiBlockDataSet* parent, unsigned int block,
+  std::vector<Leaf>& leaves)
 {
-  switch (this->Largest(GetKind(node)))
+  if (summary.Type.empty())
   {
-    case NoData:
-      return nullptr;
-    case LeafData:
-    {
-      auto* mesh = vtkPolyData::SafeDownCast(node);
-      // Data that cannot be carved stays where it is; its process reports an error.
-      if (this->Largest(node && !mesh) != 0)
-      {
-        return node;
-      }
-      leaves.push_back({ mesh, parent, block });
-      return nullptr;
-    }
-    default:
-      break;
+    return nullptr;
+  }
+  if (!summary.IsMesh)
+  {
+    return node; // data that cannot be carved stay where they are; their process reports an error
+  }
+  if (!summary.IsTree)
+  {
+    leaves.push_back({ vtkPolyData::SafeDownCast(node), parent, block });
+    return nullptr;
   }
   std::vector<CompositeChild> children;
-  const bool known = !node || GetKind(node) == LeafData || GetChildren(node, children);
-  if (this->Largest(!known) != 0)
-  {
-    return node; // not a tree
-  }
-  children.resize(this->Largest(static_cast<int>(children.size())));
+  GetChildren(node, children);
+  children.resize(summary.Children.size());
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   blocks->SetNumberOfBlocks(static_cast<unsigned int>(children.size()));
   for (unsigned int i = 0; i < children.size(); ++i)
   {
-    blocks->SetBlock(i, this->GatherNode(children[i].Data, blocks, i, leaves));
-    SetBlockName(blocks, i, this->First(children[i].Name));
+    const TreeSummary& child = summary.Children[i];
+    blocks->SetBlock(i, GatherNode(children[i].Data, child, blocks, i, leaves));
+    SetBlockName(blocks, i, child.Name);
   }
   return blocks;
 }
@@ -215,51 +165,74 @@ vtkSmartPointer<vtkDataObject> ObjectExchange::GatherNode(
 std::vector<ObjectExchange::Owners> ObjectExchange::FindOwners(
   const std::vector<Leaf>& leaves) const
 {
-  std::vector<double> here;
-  for (const Leaf& leaf : leaves)
+  const std::size_t count = leaves.size();
+  std::vector<int> first(count, this->Controller->GetNumberOfProcesses()), number(count, 0);
+  std::vector<double> cells(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    here.push_back(leaf.Part ? static_cast<double>(leaf.Part->GetNumberOfCells()) : 0.0);
-  }
-  const int processes = this->Controller->GetNumberOfProcesses();
-  std::vector<double> all(processes * here.size());
-  if (!here.empty())
-  {
-    this->Controller->AllGather(here.data(), all.data(), static_cast<vtkIdType>(here.size()));
-  }
-  std::vector<Owners> owners(leaves.size());
-  for (std::size_t i = 0; i < leaves.size(); ++i)
-  {
-    for (int process = 0; process < processes; ++process)
+    if (leaves[i].Part && leaves[i].Part->GetNumberOfCells() > 0)
     {
-      const double cells = all[process * leaves.size() + i];
-      owners[i].First = owners[i].Number == 0 && cells > 0.0 ? process : owners[i].First;
-      owners[i].Number += cells > 0.0;
-      owners[i].Cells += cells;
+      first[i] = this->Controller->GetLocalProcessId();
+      number[i] = 1;
+      cells[i] = static_cast<double>(leaves[i].Part->GetNumberOfCells());
     }
+  }
+  this->Reduce(first, vtkCommunicator::MIN_OP);
+  this->Reduce(number, vtkCommunicator::SUM_OP);
+  this->Reduce(cells, vtkCommunicator::SUM_OP);
+  std::vector<Owners> owners;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    owners.push_back({ first[i], number[i], cells[i] });
   }
   return owners;
 }
 
-/** Returns the whole mesh on its destination, and null elsewhere. */
-vtkPolyData* ObjectExchange::GatherLeaf(
-  vtkPolyData* part, const Owners& owners, int destination, Merged& merged, int& numberOfMerged)
+/** Fills the cache: each leaf gets its destination, and its mesh there. */
+void ObjectExchange::FillCache(const std::vector<Leaf>& leaves, const std::vector<Owners>& owners)
 {
-  const bool isHere = this->Controller->GetLocalProcessId() == destination;
-  if (owners.Number == 0 || (owners.Number == 1 && owners.First == destination))
+  std::vector<double> costs;
+  std::vector<int> first;
+  for (const Owners& ofLeaf : owners)
   {
-    merged = {};
-    return owners.Number == 1 && isHere ? part : nullptr;
+    costs.push_back(ofLeaf.Cells);
+    first.push_back(ofLeaf.Number > 0 ? ofLeaf.First : 0);
   }
-  const bool changed = merged.Destination != destination || !merged.Given.IsOf(part);
-  if (this->Largest(changed) != 0)
+  const std::vector<int> destinations =
+    PlaceLeaves(costs, first, this->Controller->GetNumberOfProcesses());
+  this->Cache.resize(leaves.size());
+  std::vector<int> changed;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    merged = { DataVersion(part),
-      owners.Number == 1 ? this->Move(part, owners.First, destination)
-                         : this->Merge(part, destination),
-      destination };
-    numberOfMerged += owners.Number > 1 && isHere;
+    const Merged& merged = this->Cache[i];
+    changed.push_back(
+      merged.Destination != destinations[i] || !merged.Given.IsOf(leaves[i].Part) ? 1 : 0);
   }
-  return merged.Mesh;
+  this->Reduce(changed, vtkCommunicator::MAX_OP);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    Merged& merged = this->Cache[i];
+    merged.IsNew = changed[i] != 0;
+    if (merged.IsNew)
+    {
+      merged = { DataVersion(leaves[i].Part),
+        this->GatherLeaf(leaves[i].Part, owners[i], destinations[i]), destinations[i], true };
+    }
+  }
+}
+
+/**
+ * Returns the whole mesh on its destination, and null elsewhere and for a mesh that stays in place.
+ */
+vtkSmartPointer<vtkPolyData> ObjectExchange::GatherLeaf(
+  vtkPolyData* part, const Owners& owners, int destination) const
+{
+  if (StaysInPlace(owners, destination))
+  {
+    return nullptr;
+  }
+  return owners.Number == 1 ? this->Move(part, owners.First, destination)
+                            : this->Merge(part, destination);
 }
 
 vtkSmartPointer<vtkPolyData> ObjectExchange::Move(
@@ -303,52 +276,5 @@ vtkSmartPointer<vtkPolyData> ObjectExchange::GatherOnAll(vtkPolyData* mesh)
 
 void ObjectExchange::Match(vtkDataObject* output)
 {
-  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(output);
-  if (!blocks)
-  {
-    this->MatchFieldData(output);
-    return;
-  }
-  const int count = this->Largest(static_cast<int>(blocks->GetNumberOfBlocks()));
-  blocks->SetNumberOfBlocks(static_cast<unsigned int>(count));
-  std::vector<CompositeChild> children;
-  GetChildren(blocks, children);
-  for (int i = 0; i < count; ++i)
-  {
-    vtkSmartPointer<vtkDataObject> child = children[i].Data;
-    const std::string name = this->First(children[i].Name);
-    const std::string type = this->First(child ? child->GetClassName() : "");
-    if (!child && !type.empty() && type != "vtkPolyData")
-    {
-      child.TakeReference(vtkDataObjectTypes::NewDataObject(type.c_str()));
-      blocks->SetBlock(i, child);
-    }
-    SetBlockName(blocks, i, name);
-    if (!type.empty() && type != "vtkPolyData")
-    {
-      this->Match(child);
-    }
-  }
-}
-
-void ObjectExchange::MatchFieldData(vtkDataObject* leaf)
-{
-  vtkFieldData* fieldData = leaf->GetFieldData();
-  const bool own = fieldData->HasArray(StreamArrays::ProfilePriority) != 0;
-  const std::vector<int> owners = this->All(own);
-  const auto owner = std::find(owners.begin(), owners.end(), 1);
-  if (owner == owners.end())
-  {
-    return;
-  }
-  vtkMultiProcessStream stream;
-  if (own)
-  {
-    WriteNumbers(fieldData, stream);
-  }
-  this->Controller->Broadcast(stream, static_cast<int>(owner - owners.begin()));
-  if (!own)
-  {
-    ReadNumbers(stream, fieldData);
-  }
+  MatchNode(TreeSummary::MergeAll(output, this->Controller), output);
 }

@@ -10,13 +10,13 @@
 #include "Objects/DataVersion.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
 #include <vector>
 
 class vtkDataObject;
 class vtkMultiBlockDataSet;
 class vtkMultiProcessController;
 class vtkPolyData;
+struct TreeSummary;
 
 /** All processes must call the same functions in the same order. */
 class ObjectExchange
@@ -49,8 +49,8 @@ public:
 
   /**
    * Gives the output trees of all processes the same blocks and names. Where another process has a
-   * grid or a table, this process gets an empty one with the same field data, so that every process
-   * knows the stream. Where another process has any other data, this process gets null.
+   * grid or a table, this process gets an empty one, and the ranges of level targets of the other's
+   * stream. Where another process has any other data, this process gets null.
    */
   void Match(vtkDataObject* output);
 
@@ -60,6 +60,7 @@ private:
     DataVersion Given; ///< the part of this process
     vtkSmartPointer<vtkPolyData> Mesh;
     int Destination = -1; ///< the only process that has the mesh, unless all have it
+    bool IsNew = false;   ///< since the last exchange
   };
 
   /** A leaf of the input: the part of this process, and the place in the tree. */
@@ -73,22 +74,27 @@ private:
   /** The processes that have parts of a leaf. */
   struct Owners
   {
-    int First = 0;
-    int Number = 0;
-    double Cells = 0.0; ///< of all parts
+    int First;
+    int Number;
+    double Cells; ///< of all parts
   };
 
+  static vtkSmartPointer<vtkDataObject> GatherNode(vtkDataObject* node, const TreeSummary& summary,
+    vtkMultiBlockDataSet* parent, unsigned int block, std::vector<Leaf>& leaves);
+  static bool StaysInPlace(const Owners& owners, int destination)
+  {
+    return owners.Number == 0 || (owners.Number == 1 && owners.First == destination);
+  }
+
   int Largest(int value) const;
-  std::vector<int> All(int value) const;
-  std::string First(const std::string& text) const;
-  vtkSmartPointer<vtkDataObject> GatherNode(vtkDataObject* node, vtkMultiBlockDataSet* parent,
-    unsigned int block, std::vector<Leaf>& leaves);
+  template <class Value>
+  void Reduce(std::vector<Value>& values, int operation) const;
   std::vector<Owners> FindOwners(const std::vector<Leaf>& leaves) const;
-  vtkPolyData* GatherLeaf(
-    vtkPolyData* part, const Owners& owners, int destination, Merged& merged, int& numberOfMerged);
+  void FillCache(const std::vector<Leaf>& leaves, const std::vector<Owners>& owners);
+  vtkSmartPointer<vtkPolyData> GatherLeaf(
+    vtkPolyData* part, const Owners& owners, int destination) const;
   vtkSmartPointer<vtkPolyData> Move(vtkPolyData* mesh, int owner, int destination) const;
   vtkSmartPointer<vtkPolyData> Merge(vtkPolyData* part, int destination) const;
-  void MatchFieldData(vtkDataObject* leaf);
 
   vtkMultiProcessController* Controller = nullptr;
   std::vector<Merged> Cache; ///< an entry for each leaf, in the order of the tree

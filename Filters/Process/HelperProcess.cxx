@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Process/HelperProcess.h"
 
-#include "Process/MemoryFile.h"
+#include "Process/HelperCommand.h"
 #include "vtkResourceFileLocator.h"
-#include "vtksys/Process.h"
 #include "vtksys/SystemTools.hxx"
 
 #include <cerrno>
@@ -46,9 +45,13 @@ std::string FindHelper(std::string& error)
     return named;
   }
   const std::string library = vtkGetLibraryPathForSymbol(TopologyCarvingLibraryAnchor);
-  const std::string directory = vtksys::SystemTools::GetFilenamePath(library);
-  const std::string candidates[] = { directory + "/" + HelperName,
-    directory + "/" TOPOLOGYCARVING_HELPER_DIRECTORY "/" + HelperName };
+  // The library may be found through a link to its folder, as /lib is one on Debian. Paths that go
+  // up from there would go wrong.
+  const std::string directory =
+    vtksys::SystemTools::GetRealPath(vtksys::SystemTools::GetFilenamePath(library));
+  const std::string name = std::string(HelperName) + vtksys::SystemTools::GetExecutableExtension();
+  const std::string candidates[] = { directory + "/" + name,
+    directory + "/" TOPOLOGYCARVING_HELPER_DIRECTORY "/" + name };
   error =
     std::string("The helper program ") + HelperName + " was not found. The searched paths are";
   for (const std::string& candidate : candidates)
@@ -154,6 +157,7 @@ Activity HearNext(vtksysProcess* process, double timeout, Listener& listener,
       vtksysProcess_WaitForExit(process, nullptr);
       return Activity::HasEnded;
     case vtksysProcess_Pipe_STDERR:
+    case vtksysProcess_Pipe_STDOUT: // words of TetGen, unless standard output is the reply
       return listener.Hear(data, length, observer) ? Activity::Talks : Activity::IsUnwanted;
     default:
       return listener.Report(observer) ? Activity::IsSilent : Activity::IsUnwanted;
@@ -179,16 +183,18 @@ std::string DescribeEnd(vtksysProcess* process, Listener& listener)
 }
 
 /** Writes the job. Returns an empty string, or an error. */
-std::string WriteJob(const carving::Job& job, const MemoryFile& file)
+std::string WriteJob(const carving::Job& job, const TemporaryFile& file)
 {
   std::ofstream out(file.GetPath(), std::ios::binary);
   carving::Write(out, job);
   out.close();
-  return out ? "" : "There is not enough memory to hand the mesh to the helper program.";
+  return out ? ""
+             : "There is not enough room to hand the mesh to the helper program, in " +
+      TemporaryFile::GetPlace() + ".";
 }
 
 /** Reads the reply. Returns an empty string, or an error. */
-std::string ReadReply(const MemoryFile& file, const std::string& program, carving::Reply& reply)
+std::string ReadReply(const TemporaryFile& file, const std::string& program, carving::Reply& reply)
 {
   std::string error;
   file.Read([&](const char* data, std::size_t size) { error = carving::Read(data, size, reply); });
@@ -208,7 +214,8 @@ public:
   }
   ~Program()
   {
-    vtksysProcess_Kill(this->Process.get()); // the library would wait for the end
+    vtksysProcess_Kill(this->Process.get());                 // the library would wait for the end
+    vtksysProcess_WaitForExit(this->Process.get(), nullptr); // before the files are removed
   }
 
   /** Returns an empty string, or an error. */
@@ -216,15 +223,11 @@ public:
   {
     const std::string error = this->Job.IsOpen() && this->Reply.IsOpen()
       ? WriteJob(job, this->Job)
-      : std::string("No file in memory could be opened: ") + std::strerror(errno);
+      : "No file could be opened in " + TemporaryFile::GetPlace() + ": " + std::strerror(errno);
     if (error.empty())
     {
-      const char* command[] = { this->Path.c_str(), nullptr };
-      vtksysProcess* process = this->Process.get();
-      vtksysProcess_SetCommand(process, command);
-      vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDIN, this->Job.GetPath().c_str());
-      vtksysProcess_SetPipeFile(process, vtksysProcess_Pipe_STDOUT, this->Reply.GetPath().c_str());
-      vtksysProcess_Execute(process);
+      SetHelperCommand(this->Process.get(), this->Path, this->Job, this->Reply);
+      vtksysProcess_Execute(this->Process.get());
     }
     return error;
   }
@@ -262,8 +265,8 @@ private:
   const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> Process{ vtksysProcess_New(),
     vtksysProcess_Delete };
   // Opened last, so that errno still has the reason of a failure.
-  const MemoryFile Job{ "carving-job" };
-  const MemoryFile Reply{ "carving-reply" };
+  const TemporaryFile Job{ "carving-job" };
+  const TemporaryFile Reply{ "carving-reply" };
 };
 
 HelperProcess::HelperProcess() = default;

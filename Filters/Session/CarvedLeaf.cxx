@@ -4,8 +4,10 @@
 #include "Convert/InitialDistance.h"
 #include "Core/Measure/StreamError.h"
 #include "Core/Measure/StreamTopology.h"
+#include "Core/Mesh/ForEach.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -18,7 +20,7 @@ bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carver
   const carving::Decomposition<D>& mesh = Kind<D>::GetResult(leaf.Reply);
   {
     const CarverStages::Timer timer(stages, ClassifyStage);
-    regions = carving::Classify(mesh, settings.Solid);
+    regions = carving::Classify(mesh, settings.Solid, settings.ThreadsOfLeaf);
   }
   carved.GuessedRegions = static_cast<int>(std::count_if(regions.Regions.begin(),
     regions.Regions.end(), [](const carving::Region& region) { return region.Guessed; }));
@@ -60,8 +62,20 @@ bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carv
   const carving::Classification& regions, const carving::Stream& stream, CarvedLeaf<D>& carved)
 {
   const CarverStages::Timer timer(stages, MeasureStage);
-  carved.Profile = carving::ComputeProfile(carved.Stream);
-  carving::SetTopology(carved.Profile, Kind<D>::GetResult(leaf.Reply), regions, stream);
+  carving::StreamTopology topology;
+  carving::ForEach(settings.ThreadsOfLeaf, 2,
+    [&](int part)
+    {
+      if (part == 0)
+      {
+        topology = carving::ComputeTopology(Kind<D>::GetResult(leaf.Reply), regions, stream);
+      }
+      else
+      {
+        carved.Profile = carving::ComputeProfile(carved.Stream);
+      }
+    });
+  static_cast<carving::StreamTopology&>(carved.Profile) = std::move(topology);
   const bool byTarget =
     !settings.LevelTargets.empty() && settings.TargetType == carving::LevelTarget::ErrorBound;
   if (!settings.ComputeError && !byTarget)

@@ -15,6 +15,8 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 template <int D>
 bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   const CarverSettings& settings, const CarverPorts& ports)
@@ -24,14 +26,18 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   if (auto* polyData = vtkPolyData::SafeDownCast(input))
   {
     this->Stages.Start(1);
-    this->Leaves.Start({ polyData }, initial, settings, 1);
+    this->Settings.ThreadsOfLeaf = settings.NumberOfThreads;
+    this->Leaves.Start({ polyData }, initial, settings, 1, this->Settings.ThreadsOfLeaf);
     good = this->UpdateLeaf(polyData, ports);
   }
   else
   {
     const auto leaves = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
     this->Stages.Start(static_cast<int>(leaves.size()));
-    this->Leaves.Start(leaves, initial, settings, settings.NumberOfThreads);
+    const int numberOfLeaves = std::max(1, static_cast<int>(leaves.size()));
+    this->Settings.ThreadsOfLeaf = std::max(1, settings.NumberOfThreads / numberOfLeaves);
+    this->Leaves.Start(
+      leaves, initial, settings, settings.NumberOfThreads, this->Settings.ThreadsOfLeaf);
     // The pipeline has passed on the field data of the whole input.
     for (vtkDataObject* output : ports.GetAll())
     {

@@ -28,6 +28,7 @@ struct CarverSettings : HelperSettings
   carving::FoldSides Folds = carving::FoldSides::One;
   bool ManifoldOutput = true;
   int NumberOfThreads = 1; ///< the most helper programs at a time
+  int ThreadsOfLeaf = 1;   ///< that work on one leaf
   bool Simplify = false;   ///< whether levels are decimated
   int MaximumVertices = 0; ///< of a simplified level whose target is no such number; 0: no limit
   /** The properties that a stream stores, by their names. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/DecomposedLeaf.h"
 
+#include "Session/MemoryNeed.h"
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
 #include "vtksys/SystemInformation.hxx"
@@ -11,13 +12,14 @@ using carving::SecondsSince;
 
 template <int D>
 void DecomposedLeaves<D>::Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
-  const HelperSettings& settings, int numberOfThreads)
+  const HelperSettings& settings, int numberOfThreads, int threadsOfLeaf)
 {
   const bool custom = settings.Initial == carving::InitialApproximation::Custom;
   this->Upcoming.assign(inputs.begin(), inputs.end());
   this->Initial = custom ? initial : nullptr;
   this->Settings = settings;
   this->NumberOfThreads = static_cast<std::size_t>(std::max(1, numberOfThreads));
+  this->ThreadsOfLeaf = threadsOfLeaf;
 }
 
 template <int D>
@@ -93,14 +95,19 @@ std::size_t DecomposedLeaves<D>::CountRunning()
 template <int D>
 bool DecomposedLeaves<D>::HasMemoryFor(vtkPolyData* input) const
 {
-  constexpr double kibibytesOfPoint = 4.0; // about twice what TetGen takes for most meshes
-  double needed = kibibytesOfPoint * static_cast<double>(input->GetNumberOfPoints());
+  const auto need = [this](vtkIdType points, vtkIdType cells)
+  {
+    return MemoryNeed::Estimate(
+      static_cast<double>(points), static_cast<double>(cells), this->Settings)
+      .Helper;
+  };
+  double needed = need(input->GetNumberOfPoints(), input->GetNumberOfCells());
   for (const Run& run : this->Runs)
   {
-    needed += kibibytesOfPoint * static_cast<double>(run.NumberOfPoints);
+    needed += need(run.NumberOfPoints, run.NumberOfCells);
   }
   vtksys::SystemInformation system;
-  return needed < static_cast<double>(system.GetHostMemoryAvailable() - system.GetHostMemoryUsed());
+  return needed < GetMemoryOfMachine() - 1024.0 * static_cast<double>(system.GetHostMemoryUsed());
 }
 
 /** Starts the program for a leaf, unless the leaf is empty or has a mistake. */
@@ -109,6 +116,7 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 {
   Run run;
   run.NumberOfPoints = input->GetNumberOfPoints();
+  run.NumberOfCells = input->GetNumberOfCells();
   run.Leaf = std::make_shared<DecomposedLeaf<D>>();
   DecomposedLeaf<D>& leaf = *run.Leaf;
   leaf.Given = DataVersion(input);
@@ -135,8 +143,10 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
     carving::Job job;
     static_cast<carving::HelperOptions&>(job) = this->Settings;
     job.Solid = this->Settings.Solid;
+    job.Processes = this->ThreadsOfLeaf;
     Kind<D>::Fill(job, leaf.Input, leaf.Initial);
-    run.Error = run.Process.Start(job);
+    run.Error = CheckMemory(job);
+    run.Error = run.Error.empty() ? run.Process.Start(job) : run.Error;
     run.IsStarted = run.Error.empty();
     run.Seconds = SecondsSince(run.Begin);
   }

@@ -53,11 +53,11 @@ public:
 
   /**
    * Begins an update that will ask for leaves in this order. `initial`, which can be null, is for
-   * InitialApproximation::Custom. At most so many programs run at a time, one less while the caller
-   * works on a leaf.
+   * InitialApproximation::Custom. At most `numberOfThreads` programs run at a time, one less while
+   * the caller works on a leaf; each may use `threadsOfLeaf` processors.
    */
   void Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
-    const HelperSettings& settings, int numberOfThreads);
+    const HelperSettings& settings, int numberOfThreads, int threadsOfLeaf);
 
   /** Returns null after an error, which has been reported, and after an abort. */
   LeafPointer Get(vtkPolyData* input);
@@ -80,6 +80,7 @@ private:
     bool IsWaitedFor = false;
     std::string Error;
     vtkIdType NumberOfPoints = 0;
+    vtkIdType NumberOfCells = 0;
     Clock::time_point Begin; ///< of handing the job over
     double Seconds = 0.0;    ///< that this process has spent on handing over and waiting
   };
@@ -101,6 +102,7 @@ private:
   vtkPolyData* Initial = nullptr;
   HelperSettings Settings;
   std::size_t NumberOfThreads = 1;
+  int ThreadsOfLeaf = 1;
   std::deque<Run> Runs; ///< in the order of the leaves
 };
 

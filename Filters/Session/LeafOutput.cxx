@@ -7,6 +7,8 @@
 #include "Convert/OwnArrays.h"
 #include "Convert/SimplifiedOutput.h"
 #include "Convert/StreamOutput.h"
+#include "Convert/TargetRanges.h"
+#include "Core/Mesh/ForEach.h"
 #include "Objects/CompositeTree.h"
 #include "Session/CarverNotes.h"
 #include "Session/LevelSimplifier.h"
@@ -20,6 +22,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
 
 namespace
 {
@@ -98,6 +103,7 @@ void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>
 {
   FillStream(carved.Stream, carved.Profile, attributes, leaf.Input.CellIds, grid);
   FillSimplifiedStream(carved.Simplified, grid->GetFieldData());
+  AddTargetRanges(carved.Profile, carved.Simplified, grid->GetFieldData());
   const carving::Reply& reply = leaf.Reply;
   vtkFieldData* fieldData = grid->GetFieldData();
   AddFieldValue<vtkStringArray>(fieldData, StreamArrays::Strategy, reply.Strategy.c_str());
@@ -151,18 +157,40 @@ bool LeafOutput<D>::WriteLevels(
   for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)
   {
     const std::size_t end = std::min(first + levelsAtOnce, steps.size());
-    const std::vector<carving::Level<D>> found =
+    // Below, this thread may be too late to fill any level, and then does not report.
+    if (!this->Stages.Report(OutputStage, first / (steps.size() + 1.0)))
+    {
+      return false;
+    }
+    std::vector<carving::Level<D>> found =
       carving::ExtractLevels(carved.Stream, { steps.begin() + first, steps.begin() + end });
+    std::vector<vtkNew<vtkPolyData>> levels(found.size());
+    std::atomic<std::size_t> done{ first };
+    std::atomic<bool> goOn{ true };
+    const auto self = std::this_thread::get_id(); // the only thread that may report
+    carving::ForEach(this->Settings.ThreadsOfLeaf, static_cast<int>(found.size()),
+      [&](int i)
+      {
+        const std::size_t level = found.size() - 1 - i; // the largest first
+        if (goOn)
+        {
+          const carving::Level<D> faces = std::move(found[level]); // released when filled
+          FillLevel(carved.Stream, carved.Profile, grid, faces, this->Settings.ManifoldOutput,
+            levels[level]);
+          ++done;
+        }
+        if (goOn && std::this_thread::get_id() == self)
+        {
+          goOn = this->Stages.Report(OutputStage, done / (steps.size() + 1.0));
+        }
+      });
+    if (!goOn)
+    {
+      return false;
+    }
     for (std::size_t i = first; i < end; ++i)
     {
-      vtkNew<vtkPolyData> level;
-      FillLevel(carved.Stream, carved.Profile, grid, found[i - first],
-        this->Settings.ManifoldOutput, level);
-      this->SetLevel(static_cast<unsigned int>(i), level);
-      if (!this->Stages.Report(OutputStage, (i + 1.0) / (steps.size() + 1.0)))
-      {
-        return false;
-      }
+      this->SetLevel(static_cast<unsigned int>(i), levels[i - first]);
     }
   }
   return true;

@@ -45,19 +45,6 @@ PreparedStream& PreparedStreams::Get(vtkUnstructuredGrid* grid)
   return stream;
 }
 
-double PreparedStreams::FindLeastTarget(vtkDataObject* input, carving::LevelTarget type)
-{
-  double least = HUGE_VAL;
-  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
-  {
-    if (const PreparedStream* stream = this->Find(grid))
-    {
-      least = std::min(least, carving::FindLeastTarget(stream->Simplified, type));
-    }
-  }
-  return least;
-}
-
 std::vector<carving::Profile> PreparedStreams::GetProfiles(vtkDataObject* input)
 {
   std::vector<carving::Profile> profiles;
@@ -71,4 +58,18 @@ std::vector<carving::Profile> PreparedStreams::GetProfiles(vtkDataObject* input)
     }
   }
   return profiles;
+}
+
+std::vector<TargetRange> PreparedStreams::GetTargetRanges(
+  vtkDataObject* input, carving::LevelTarget type)
+{
+  std::vector<TargetRange> ranges;
+  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(input))
+  {
+    if (TargetRange range; ReadTargetRange(grid->GetFieldData(), type, range))
+    {
+      ranges.push_back(range);
+    }
+  }
+  return ranges;
 }

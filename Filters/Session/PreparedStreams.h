@@ -6,6 +6,7 @@
 #ifndef PreparedStreams_h
 #define PreparedStreams_h
 
+#include "Convert/TargetRanges.h"
 #include "Core/Measure/Profile.h"
 #include "Core/Measure/SimplifiedStream.h"
 #include "Core/Stream/StoredStream.h"
@@ -48,10 +49,10 @@ public:
   std::vector<carving::Profile> GetProfiles(vtkDataObject* input);
 
   /**
-   * The least target of a type that picks a simplified level of a stream in a data object;
-   * infinite without such a stream. Streams that have not been read do not count.
+   * The ranges of targets of all streams in a data object, which can be null, on whatever process
+   * the streams are.
    */
-  double FindLeastTarget(vtkDataObject* input, carving::LevelTarget type);
+  static std::vector<TargetRange> GetTargetRanges(vtkDataObject* input, carving::LevelTarget type);
 
 private:
   /** Returns null if the grid has not been read in its present state. */

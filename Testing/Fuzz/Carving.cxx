@@ -60,7 +60,7 @@ Carving<D> CarveWith(Bytes& bytes, const Decomposition<D>& mesh)
   result.Stored.Measure = options.Measure;
   result.Stored.Folds = bytes.Bit() ? FoldSides::Both : FoldSides::One;
   result.Profile = ComputeProfile(result.Stored);
-  SetTopology(result.Profile, mesh, regions, stream);
+  static_cast<StreamTopology&>(result.Profile) = ComputeTopology(mesh, regions, stream);
   const int last = result.Profile.LastStep();
   result.Steps = SpreadLevels(result.Profile, 1 + bytes.Below(5));
   for (const LevelTarget type :

@@ -51,30 +51,16 @@ for i, name in enumerate(names):
     output.GetMetaData(i).Set(output.NAME(), "block %d" % i)
 """
 
-# Field data of several kinds: vectors, and an array without a name.
-MESH_WITH_FIELD_DATA = SPREAD + """
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+MESH_ON_LAST = SPREAD + """
 if rank == count - 1:
     output.ShallowCopy(read("two-spheres.ply"))
-    for name, components in (("Frame", 3), (None, 1)):
-        array = vtkDoubleArray()
-        if name:
-            array.SetName(name)
-        array.SetNumberOfComponents(components)
-        for i in range(4):
-            array.InsertNextTuple([10.0 * i + k for k in range(components)])
-        output.GetFieldData().AddArray(array)
 """
-# Outputs one point on each process that has the field data.
-CHECK_FIELD_DATA = """
+# Outputs one point on each process that knows the range of the stream's vertices.
+CHECK_RANGES = """
 from vtkmodules.vtkCommonCore import vtkPoints
-data = self.GetInputDataObject(0, 0).GetFieldData()
-arrays = [data.GetArray(i) for i in range(data.GetNumberOfArrays())]
-tuples = [[array.GetTuple(i) for i in range(4)] for array in arrays
-          if array and array.GetNumberOfTuples() == 4 and array.GetName() in ("Frame", None)]
-wanted = [[tuple(10.0 * i + k for k in range(components)) for i in range(4)] for components in (3, 1)]
+ranges = self.GetInputDataObject(0, 0).GetFieldData().GetArray("TargetRanges")
 points = vtkPoints()
-if not [w for w in wanted if w not in tuples]:
+if ranges and ranges.GetNumberOfTuples() == 7 and ranges.GetTuple(0)[:2] == ({least}, {greatest}):
     points.InsertNextPoint(0, 0, 0)
 self.GetOutputDataObject(0).SetPoints(points)
 """
@@ -129,13 +115,16 @@ class TestParallel(unittest.TestCase):
         for time in (0, 20, 49):
             self.assertEqual(counts(extract, 0, time), counts(carver, LEVEL, time))
 
-    def test_field_data_reaches_all_processes(self):
-        """All processes have the field data of the stream, named or not, with any number of components."""
-        carver = simple.TopologyCarver(Input=make_source(MESH_WITH_FIELD_DATA, "vtkPolyData"))
+    def test_ranges_reach_all_processes(self):
+        """Processes without the stream know the ranges of its targets."""
+        carver = simple.TopologyCarver(Input=make_source(MESH_ON_LAST, "vtkPolyData"), FollowTime=1)
+        least, greatest = counts(carver, LEVEL, 0)[0], 2 * 642
         check = simple.ProgrammableFilter(
-            Input=simple.OutputPort(carver, STREAM), Script=CHECK_FIELD_DATA, OutputDataSetType="vtkPolyData")
+            Input=simple.OutputPort(carver, STREAM), Script=CHECK_RANGES.format(least=least, greatest=greatest),
+            OutputDataSetType="vtkPolyData")
         processes = simple.servermanager.ActiveConnection.GetNumberOfDataPartitions()
         self.assertEqual(counts(check)[0], processes)
+        self.assertEqual(numbers(carver, "VertexRange"), [least, greatest])
 
     def test_changing_the_level_does_not_gather_again(self):
         """Choosing another level of a mesh in parts does not run the helper program."""

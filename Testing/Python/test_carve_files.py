@@ -16,10 +16,11 @@ import unittest
 
 from carve_testing import BONES, CARVE, CarveTestCase, read
 from meshes import two_cubes
+from vtkmodules.vtkCommonCore import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkConvertToPartitionedDataSetCollection
 from vtkmodules.vtkFiltersSources import vtkCubeSource
-from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLReader, vtkSTLWriter
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader, vtkPLYWriter
@@ -298,7 +299,10 @@ class TestCarveFiles(CarveTestCase):
         for extension in (".ply", ".stl", ".obj"):
             run = self.run_carve("close.off", "-o", "out" + extension, "--levels", "1")
             self.assertEqual(run.returncode, 0)
-            self.assertIn("rounding", run.stderr)
+            # Since VTK 9.3, coordinates of OBJ files stay doubles.
+            rounds = extension != ".obj" or read(
+                vtkOBJReader, self.path("out_0.obj")).GetPoints().GetDataType() == VTK_FLOAT
+            self.assertEqual("rounding" in run.stderr, rounds)
         run = self.run_carve("close.off", "-o", "out.vtp", "--levels", "1")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         run = self.run_carve(BONES, "-o", "out.ply", "--levels", "1")

@@ -26,6 +26,9 @@ NOT_PROVOKED = {
 }
 # Parts of messages that depend on TetGen's success with a mesh, or on the system.
 ENDS_OF_ATTEMPTS = ("TetGen ", "recovery lacks ", "crashed", "of processor time", "was killed", "could not be started")
+if os.environ["PORTABLE"] == "ON":  # memory is not limited
+    NOT_PROVOKED["carving-helper ran out of memory"] = "needs a limit"
+    ENDS_OF_ATTEMPTS += ("ran out of memory",)
 
 # Literals that begin like a sentence but are names in field data.
 NAMES = {

@@ -18,6 +18,7 @@ LEFT_OUT = {
     "SetLevelTarget": "the panel has one target per type",
     "SetController": "ParaView uses the global controller",
     "SetTarget": "the panel has a list of targets",
+    "SetOutputType": "ParaView has a filter that converts multiblocks",
 }
 
 

@@ -10,6 +10,7 @@
 #include "Core/Budget/RemainingCells.h"
 #include "Core/Budget/VertexGraph.h"
 #include "Core/Mesh/BettiNumbers.h"
+#include "Core/Mesh/Fetch.h"
 #include "Core/Mesh/Mesh.h"
 
 #include <array>
@@ -71,7 +72,7 @@ public:
   /** Prefetches a cell that may soon be examined. */
   void Fetch(int cell) const
   {
-    __builtin_prefetch(&this->Cells.Records[cell]);
+    Prefetch(&this->Cells.Records[cell]);
   }
 
   /** The cell must adjoin the exterior, or be the first of a void. */

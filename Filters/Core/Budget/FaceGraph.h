@@ -8,6 +8,7 @@
 
 #include "Core/Budget/LockstepSearch.h"
 #include "Core/Budget/RemainingCells.h"
+#include "Core/Mesh/Fetch.h"
 
 #include <array>
 #include <cstddef>
@@ -46,7 +47,7 @@ public:
   /** Prefetches a cell that will be needed soon. */
   void Fetch(int cell) const
   {
-    __builtin_prefetch(&this->Nodes[cell]);
+    Prefetch(&this->Nodes[cell]);
   }
 
   // For LockstepSearch:
@@ -105,7 +106,7 @@ private:
     {
       return;
     }
-    __builtin_prefetch(&this->Cells.Records[cell]); // for the step from there
+    Prefetch(&this->Cells.Records[cell]); // for the step from there
     int entry = 0;
     while (node.SidesOf.IsBridge() && this->Cells.GetNeighbor(cell, entry) != from)
     {

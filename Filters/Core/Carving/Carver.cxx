@@ -2,6 +2,7 @@
 #include "Core/Carving/Carver.h"
 
 #include "Core/Budget/Budget.h"
+#include "Core/Mesh/Fetch.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ private:
   /** Prefetches a cell that will be needed soon. */
   void Fetch(int cell) const
   {
-    __builtin_prefetch(&this->Cells[cell]);
+    Prefetch(&this->Cells[cell]);
     if (this->Limits)
     {
       this->Limits->Fetch(cell);

@@ -44,6 +44,8 @@ public:
   std::vector<int> Compute()
   {
     this->Changes[0] = 1; // C0 is a ball
+    // Most cells record at most one edge.
+    this->EdgeEnds.reserve(3 * this->Mesh.Surface.Facets.size() + this->Mesh.Cells.size());
     for (const auto& facet : this->Mesh.Surface.Facets)
     {
       this->AddSurfaceFacet(facet);

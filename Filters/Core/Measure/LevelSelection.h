@@ -33,6 +33,7 @@ enum class LevelTarget : int
   ErrorBound = 5,
   Step = 6
 };
+constexpr int NumberOfLevelTargets = 7;
 
 /** The name of the enumerator in the filters. */
 const char* LevelTargetName(LevelTarget target);

@@ -14,11 +14,19 @@
 namespace carving
 {
 
+/** Betti numbers of the closed complex K (ComputeTopology). In the plane, tunnels are holes. */
+struct StreamTopology
+{
+  std::vector<int> Components;
+  std::vector<int> Tunnels;
+  std::vector<int> Voids;
+};
+
 /**
  * One entry per step, from C0 on. Vertices and triangles (in the plane, edges) are counted before
  * the approximation is cut into manifolds.
  */
-struct Profile
+struct Profile : StreamTopology
 {
   std::vector<int> Vertices;
   std::vector<int> Triangles;
@@ -26,12 +34,6 @@ struct Profile
    * The volume (in the plane, the area) of the solid and the remaining cells. Does not increase.
    */
   std::vector<double> Volume;
-  /**
-   * The Betti numbers of the closed complex K, set by SetTopology. In the plane, tunnels are holes.
-   */
-  std::vector<int> Components;
-  std::vector<int> Tunnels;
-  std::vector<int> Voids;
   /** The distance of each approximation from M (ComputeErrors); empty unless requested. */
   std::vector<double> Error;
   /** The priority of the tetrahedron popped in the step; NaN for C0. */

@@ -4,6 +4,7 @@
 #include "Core/Measure/EulerCharacteristics.h"
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/Fetch.h"
 
 #include <algorithm>
 #include <numeric>
@@ -115,8 +116,8 @@ std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& str
     {
       if (sorted.rend() - next > ahead)
       {
-        __builtin_prefetch(&mesh.Cells[next[ahead]]);
-        __builtin_prefetch(&stream.Step[next[ahead]]);
+        Prefetch(&mesh.Cells[next[ahead]]);
+        Prefetch(&stream.Step[next[ahead]]);
       }
       components.Add(mesh.Cells[*next]);
     }
@@ -148,21 +149,23 @@ std::vector<int> CountVoids(const Classification& regions, const Stream& stream)
 } // namespace
 
 template <int D>
-void SetTopology(Profile& profile, const Decomposition<D>& mesh, const Classification& regions,
-  const Stream& stream)
+StreamTopology ComputeTopology(
+  const Decomposition<D>& mesh, const Classification& regions, const Stream& stream)
 {
-  profile.Components = CountComponents(mesh, stream);
-  profile.Voids = D == 3 ? CountVoids(regions, stream) : std::vector<int>(stream.LastStep() + 1, 0);
-  profile.Tunnels = ComputeEulerCharacteristics(mesh, stream);
-  for (std::size_t step = 0; step < profile.Tunnels.size(); ++step)
+  StreamTopology result;
+  result.Components = CountComponents(mesh, stream);
+  result.Voids = D == 3 ? CountVoids(regions, stream) : std::vector<int>(stream.LastStep() + 1, 0);
+  result.Tunnels = ComputeEulerCharacteristics(mesh, stream);
+  for (std::size_t step = 0; step < result.Tunnels.size(); ++step)
   {
-    profile.Tunnels[step] = profile.Components[step] + profile.Voids[step] - profile.Tunnels[step];
+    result.Tunnels[step] = result.Components[step] + result.Voids[step] - result.Tunnels[step];
   }
+  return result;
 }
 
-template void SetTopology<2>(
-  Profile&, const Decomposition<2>&, const Classification&, const Stream&);
-template void SetTopology<3>(
-  Profile&, const Decomposition<3>&, const Classification&, const Stream&);
+template StreamTopology ComputeTopology<2>(
+  const Decomposition<2>&, const Classification&, const Stream&);
+template StreamTopology ComputeTopology<3>(
+  const Decomposition<3>&, const Classification&, const Stream&);
 
 } // namespace carving

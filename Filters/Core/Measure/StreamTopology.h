@@ -15,9 +15,8 @@ namespace carving
 {
 
 /**
- * Sets `Components`, `Tunnels` and `Voids`: the Betti numbers of the closed complex K_i, which
- * consists of M and all cells that are not carved until step i, those of the solid included, with
- * all their faces, edges and vertices.
+ * Computes the Betti numbers of the closed complex K_i, which consists of M and all cells that are
+ * not carved until step i, those of the solid included, with all their faces, edges and vertices.
  *
  * Components are counted by union-find over vertices while cells are put back, from the last step
  * to the first. A void begins with the first tetrahedron carved in a region that M encloses. It
@@ -26,8 +25,8 @@ namespace carving
  * components - tunnels + voids. Takes O(n alpha(n)) time for n cells.
  */
 template <int D>
-void SetTopology(Profile& profile, const Decomposition<D>& mesh, const Classification& regions,
-  const Stream& stream);
+StreamTopology ComputeTopology(
+  const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
 
 } // namespace carving
 

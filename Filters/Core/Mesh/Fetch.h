@@ -15,6 +15,14 @@
 namespace carving
 {
 
+/** Asks the processor to read from an address ahead of time; where the compiler cannot, nothing. */
+[[gnu::always_inline]] inline void Prefetch([[maybe_unused]] const void* address)
+{
+#if defined(__GNUC__) && !defined(TOPOLOGYCARVING_PORTABLE)
+  __builtin_prefetch(address);
+#endif
+}
+
 /** Prefetches the entries of a cell's neighbors in each array. */
 template <int D, class... Values>
 [[gnu::always_inline]] inline void FetchNeighbors(
@@ -22,7 +30,7 @@ template <int D, class... Values>
 {
   for (const int neighbor : mesh.Neighbors[cell])
   {
-    (__builtin_prefetch(&arrays[std::max(neighbor, 0)]), ...);
+    (Prefetch(&arrays[std::max(neighbor, 0)]), ...);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,9 @@ constexpr std::array<int, 2> OtherCorners(int p, int q)
   const int first = p > 0 && q > 0 ? 0 : p + q > 1 ? 1 : 2;
   return { first, 6 - p - q - first };
 }
+
+/** A face of a cell has a number of 32 bits: four times the cell's, plus the corner's. */
+constexpr int MaximumCells = std::numeric_limits<int>::max() / 4;
 
 /**
  * The cells of the initial approximation C0, constrained by the input M: tetrahedra in space

@@ -174,6 +174,10 @@ std::string FindMistake(const Decomposition<D>& mesh)
   {
     return "arrays that belong together differ in length";
   }
+  if (mesh.Cells.size() > static_cast<std::size_t>(MaximumCells))
+  {
+    return "there are too many cells";
+  }
   if (!IndicesWithin(mesh.Cells, 0, mesh.Surface.Points.size()))
   {
     return "a vertex index is out of range";

@@ -16,7 +16,7 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'B' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'C' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'B' };
 
 class Writer
@@ -129,6 +129,7 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.SnapTolerance);
   archive.Value(job.TimeLimit);
   archive.Value(job.MemoryLimit);
+  archive.Value(job.Processes);
   archive.Array(job.Mesh.Points);
   archive.Array(job.Mesh.Triangles);
   archive.Array(job.InitialMesh.Points);

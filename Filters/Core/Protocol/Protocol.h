@@ -132,6 +132,7 @@ struct HelperOptions
 struct Job : HelperOptions
 {
   JobKind Kind = JobKind::Tetrahedralize;
+  int Processes = 1; ///< that may work at a time; the reply depends on it in its seconds only
   /** If TetGen fails with M, a strategy omits triangles with solid on both sides by this rule. */
   SolidRule Solid = SolidRule::SurfaceOnly;
   TriangleMesh Mesh;

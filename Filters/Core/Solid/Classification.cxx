@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/Fetch.h"
+#include "Core/Mesh/ForEach.h"
 #include "Core/Solid/Winding.h"
 #include "Core/Solid/WindingTree.h"
 
@@ -184,7 +185,7 @@ constexpr double SolidFrom = 0.5;
 
 /** Winding numbers of any M: sums of solid angles at the centroid of each region's largest cell. */
 template <int D>
-void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
+void MeasureWindings(const Decomposition<D>& mesh, int threads, Classification& result)
 {
   const std::vector<int> largestCells = FindLargestCells(mesh, result);
   std::function<double(const Point&)> windingNumber;
@@ -199,15 +200,16 @@ void MeasureWindings(const Decomposition<D>& mesh, Classification& result)
   {
     windingNumber = [&mesh](const Point& p) { return WindingNumber(mesh.Surface, p); };
   }
-  for (std::size_t r = 0; r < result.Regions.size(); ++r)
-  {
-    Region& region = result.Regions[r];
-    if (region.Kind == RegionKind::Void)
+  ForEach(threads, static_cast<int>(result.Regions.size()),
+    [&](int r)
     {
-      region.Winding = windingNumber(mesh.Centroid(largestCells[r]));
-      region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > GuessedFrom;
-    }
-  }
+      Region& region = result.Regions[r];
+      if (region.Kind == RegionKind::Void)
+      {
+        region.Winding = windingNumber(mesh.Centroid(largestCells[r]));
+        region.Guessed = std::abs(region.Winding - std::round(region.Winding)) > GuessedFrom;
+      }
+    });
 }
 
 /** Regions separated from the outside by an odd number of triangles are solid. */
@@ -259,22 +261,23 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 }
 
 /** Parity by rays, for enclosing mode, where kept tetrahedra block the paths. */
-void ClassifyByRays(const Tetrahedralization& mesh, Classification& result)
+void ClassifyByRays(const Tetrahedralization& mesh, int threads, Classification& result)
 {
   const std::vector<int> largestCells = FindLargestCells(mesh, result);
-  for (std::size_t r = 0; r < result.Regions.size(); ++r)
-  {
-    Region& region = result.Regions[r];
-    if (region.Kind == RegionKind::Void &&
-      CountCrossings(mesh.Unresolved, mesh.Centroid(largestCells[r])) % 2 != 0)
+  ForEach(threads, static_cast<int>(result.Regions.size()),
+    [&](int r)
     {
-      region.Kind = RegionKind::Solid;
-    }
-  }
+      Region& region = result.Regions[r];
+      if (region.Kind == RegionKind::Void &&
+        CountCrossings(mesh.Unresolved, mesh.Centroid(largestCells[r])) % 2 != 0)
+      {
+        region.Kind = RegionKind::Solid;
+      }
+    });
 }
 
 template <int D>
-void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
+void ClassifyByWinding(const Decomposition<D>& mesh, int threads, Classification& result)
 {
   if (mesh.Kept.empty() && IsClosed(mesh.Surface))
   {
@@ -282,7 +285,7 @@ void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
   }
   else
   {
-    MeasureWindings(mesh, result);
+    MeasureWindings(mesh, threads, result);
   }
   for (Region& region : result.Regions)
   {
@@ -296,21 +299,21 @@ void ClassifyByWinding(const Decomposition<D>& mesh, Classification& result)
 } // namespace
 
 template <int D>
-Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
+Classification Classify(const Decomposition<D>& mesh, SolidRule rule, int threads)
 {
   Classification result;
   FindRegions(mesh, result);
   switch (rule)
   {
     case SolidRule::NonzeroWinding:
-      ClassifyByWinding(mesh, result);
+      ClassifyByWinding(mesh, threads, result);
       break;
     case SolidRule::EvenOdd:
       if constexpr (D == 3)
       {
         if (!mesh.Kept.empty())
         {
-          ClassifyByRays(mesh, result);
+          ClassifyByRays(mesh, threads, result);
           break;
         }
       }
@@ -322,7 +325,7 @@ Classification Classify(const Decomposition<D>& mesh, SolidRule rule)
   return result;
 }
 
-template Classification Classify<2>(const Decomposition<2>&, SolidRule);
-template Classification Classify<3>(const Decomposition<3>&, SolidRule);
+template Classification Classify<2>(const Decomposition<2>&, SolidRule, int);
+template Classification Classify<3>(const Decomposition<3>&, SolidRule, int);
 
 } // namespace carving

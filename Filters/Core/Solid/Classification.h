@@ -68,10 +68,12 @@ struct Classification
 
 /**
  * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A
- * region that is connected to the outside is never solid.
+ * region that is connected to the outside is never solid. The winding numbers of an open M are
+ * measured by several threads.
  */
 template <int D>
-Classification Classify(const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding);
+Classification Classify(
+  const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding, int threads = 1);
 
 } // namespace carving
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/Winding.h"
 
+#include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -72,50 +73,53 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point)
   return count;
 }
 
-template <int D>
-bool IsClosed(const ResolvedInput<D>& input)
+bool IsClosed(const ResolvedInput<2>& contours)
 {
-  // Each ridge (in the plane, each end) of each facet, with the signed number of traversals.
-  using Ridge = std::array<int, D - 1>;
-  std::vector<std::pair<Ridge, int>> ridges;
-  ridges.reserve(D * input.Facets.size());
-  for (std::size_t f = 0; f < input.Facets.size(); ++f)
+  std::vector<int> sums(
+    contours.Points.size(), 0); // edges that end at a point, less those that begin
+  for (std::size_t e = 0; e < contours.Facets.size(); ++e)
   {
-    const std::array<int, D>& facet = input.Facets[f];
-    for (int i = 0; i < D; ++i)
-    {
-      if constexpr (D == 3)
-      {
-        const int a = facet[i], b = facet[(i + 1) % 3];
-        ridges.push_back({ { std::min(a, b), std::max(a, b) },
-          a < b ? input.SignedMultiplicities[f] : -input.SignedMultiplicities[f] });
-      }
-      else
-      {
-        ridges.push_back({ { facet[i] },
-          i == 0 ? -input.SignedMultiplicities[f] : input.SignedMultiplicities[f] });
-      }
-    }
+    const auto& [from, to] = contours.Facets[e];
+    sums[from] -= contours.SignedMultiplicities[e];
+    sums[to] += contours.SignedMultiplicities[e];
   }
-  std::sort(ridges.begin(), ridges.end());
-  for (auto first = ridges.begin(); first != ridges.end();)
+  return std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; });
+}
+
+bool IsClosed(const ResolvedInput<3>& mesh)
+{
+  // Each edge of each triangle, by its lesser vertex: the greater one and how often the edge is
+  // traversed towards it, less the traversals back.
+  using Edge = std::pair<int, int>;
+  Buckets<Edge> edges(mesh.Points.size(),
+    [&mesh](auto&& visit)
+    {
+      for (std::size_t t = 0; t < mesh.Facets.size(); ++t)
+      {
+        for (int i = 0; i < 3; ++i)
+        {
+          const int a = mesh.Facets[t][i], b = mesh.Facets[t][(i + 1) % 3];
+          const int count = mesh.SignedMultiplicities[t];
+          visit(std::min(a, b), Edge(std::max(a, b), a < b ? count : -count));
+        }
+      }
+    });
+  std::vector<int> sums(mesh.Points.size(), 0); // per greater vertex
+  for (int vertex = 0; vertex < edges.GetNumberOfBuckets(); ++vertex)
   {
-    int sum = 0;
-    auto last = first;
-    for (; last != ridges.end() && last->first == first->first; ++last)
+    for (const auto& [other, count] : edges[vertex])
     {
-      sum += last->second;
+      sums[other] += count;
     }
-    if (sum != 0)
+    for (const Edge& edge : edges[vertex])
     {
-      return false;
+      if (sums[edge.first] != 0)
+      {
+        return false;
+      }
     }
-    first = last;
   }
   return true;
 }
-
-template bool IsClosed<2>(const ResolvedInput<2>&);
-template bool IsClosed<3>(const ResolvedInput<3>&);
 
 } // namespace carving

@@ -37,8 +37,8 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point);
  * plane, every vertex) as often in one direction as in the other. If so, the winding number is an
  * integer everywhere off M and changes across facets only.
  */
-template <int D>
-bool IsClosed(const ResolvedInput<D>& input);
+bool IsClosed(const ResolvedInput<2>& contours);
+bool IsClosed(const ResolvedInput<3>& mesh);
 
 } // namespace carving
 

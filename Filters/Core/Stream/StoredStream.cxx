@@ -47,12 +47,18 @@ StoredStream<D> Store(
   result.Mesh.Surface = mesh.Surface;
   result.Order.StepPriority = stream.StepPriority;
   const bool all = D == 2 || !mesh.Kept.empty();
-  const auto reserve = [numberOfCells](auto&... arrays) { (arrays.reserve(numberOfCells), ...); };
+  const auto isStored = [&](int cell) { return all || regions.Kind(cell) != RegionKind::Solid; };
+  int stored = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    stored += isStored(cell);
+  }
+  const auto reserve = [stored](auto&... arrays) { (arrays.reserve(stored), ...); };
   reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Mesh.Constraints, result.Regions,
     result.Order.Step, result.Order.Priority, result.Order.Depth);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    if (all || regions.Kind(cell) != RegionKind::Solid)
+    if (isStored(cell))
     {
       newIndex[cell] = static_cast<int>(result.Mesh.Cells.size());
       result.Mesh.Cells.push_back(mesh.Cells[cell]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surface/Manifold.h"
 
+#include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Surface/FacePairs.h"
 
@@ -20,6 +21,7 @@ class Cutter
 public:
   Cutter(const StoredStream<D>& stream, const Level<D>& level)
     : Shown(level)
+    , NumberOfPoints(stream.Mesh.Surface.Points.size())
     , Pairs(PairFaces(stream, level))
   {
   }
@@ -192,11 +194,17 @@ private:
     }
     const auto pointOf = [&](int corner)
     { return FaceAt<D>(this->Shown, corner).Corners[corner % D]; };
-    std::stable_sort(
-      firsts.begin(), firsts.end(), [&](int a, int b) { return pointOf(a) < pointOf(b); });
+    const Buckets<int> sorted(this->NumberOfPoints,
+      [&](auto&& visit)
+      {
+        for (const int first : firsts)
+        {
+          visit(pointOf(first), first);
+        }
+      });
     ManifoldLevel<D> result;
     std::vector<int> vertexOfFan(this->NumberOfFans, -1);
-    for (const int first : firsts)
+    for (const int first : sorted.GetItems())
     {
       vertexOfFan[this->FanOfCorner[first]] = static_cast<int>(result.Points.size());
       result.Points.push_back(pointOf(first));
@@ -210,6 +218,7 @@ private:
   }
 
   const Level<D>& Shown;
+  std::size_t NumberOfPoints; ///< of the stream
   FacePairs Pairs;
   std::vector<int> FanOfCorner; ///< corners of one fan become one vertex
   int NumberOfFans = 0;         ///< numbers in use, some of which no longer occur

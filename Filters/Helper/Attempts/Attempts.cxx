@@ -29,15 +29,22 @@ std::vector<Point> Attempts::FurtherPoints(const std::vector<Point>& points) con
 }
 
 bool Attempts::TryInChild(const std::string& attempt, const std::string& subject,
-  const Limits& limits, const std::function<bool()>& work)
+  const Limits& limits, const Task& task, const std::function<bool()>& meanwhile)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Ending ending = RunInChildProcess(limits, work);
+  const Work work = { [&] { return this->Do(task); },
+    [&](std::ostream& out) { WriteTask(out, task, this->TheJob, this->TheReply); } };
+  const Ending ending = RunInChildProcess(limits, work, meanwhile);
+  if (ending.Mistake == NotWanted)
+  {
+    return false;
+  }
+  this->HasFinished = ending.Mistake.empty() || ending.Mistake == "failed";
   if (!ending.Mistake.empty())
   {
     this->TheReply.StageSeconds[static_cast<int>(Stage::Attempts)] += SecondsSince(start);
   }
-  if (!ending.Mistake.empty() && ending.Mistake != "failed")
+  if (!this->HasFinished)
   {
     this->Failures.Add(attempt, { subject + ending.Mistake, ending.ByLimit });
   }
@@ -53,12 +60,28 @@ bool Attempts::TryOrders(
   {
     this->TheReply.Strategy = strategy + (order == 0 ? "" : ", order " + std::to_string(order));
     if (this->TryInChild(this->TheReply.Strategy + ": ", "TetGen ", limits,
-          [&] { return this->TryOrder(order, surfacePoints); }))
+          { Task::Goal::Ordered, order, surfacePoints }))
     {
       return true;
     }
   }
   return false;
+}
+
+bool Attempts::TryUnresolved(const std::string& strategy, const std::function<bool()>& isResolved)
+{
+  this->TheReply.Strategy = strategy;
+  bool resolved = false;
+  const Limits limits =
+    LimitsOfAttempt(this->TheJob, SurfacePoints::None, this->TheReply.Result.Surface.Facets.size());
+  const bool written = this->TryInChild(strategy + ": ", "TetGen ", limits,
+    { Task::Goal::Ordered, 0, SurfacePoints::None }, [&] { return resolved = isResolved(); });
+  if (!resolved)
+  {
+    this->TheReply.Strategy.clear();
+    this->Failures.Clear();
+  }
+  return written;
 }
 
 bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
@@ -72,17 +95,19 @@ bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
 
 bool Attempts::TryRecovery()
 {
-  Tetrahedralization& result = this->TheReply.Result;
   const Limits limits =
-    LimitsOfAttempt(this->TheJob, SurfacePoints::None, result.Surface.Facets.size());
+    LimitsOfAttempt(this->TheJob, SurfacePoints::None, this->TheReply.Result.Surface.Facets.size());
   this->TheReply.Strategy = "Delaunay, recovery";
-  return this->TryInChild(this->TheReply.Strategy + ": ", "", limits,
-    [&]
-    {
-      this->Host.Begin(Stage::Tetrahedralize);
-      return this->WriteExact(
-        RecoverAll(this->FurtherPoints(result.Surface.Points), this->Host.Report, result));
-    });
+  return this->TryInChild(
+    this->TheReply.Strategy + ": ", "", limits, { Task::Goal::Recovered, 0, SurfacePoints::None });
+}
+
+bool Attempts::Recover()
+{
+  Tetrahedralization& result = this->TheReply.Result;
+  this->Host.Begin(Stage::Tetrahedralize);
+  return this->WriteExact(
+    RecoverAll(this->FurtherPoints(result.Surface.Points), this->Host.Report, result));
 }
 
 /** Writes the result of an attempt at the resolved mesh, or records why there is none. */

@@ -9,7 +9,7 @@
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Log.h"
 #include "Helper/Attempts/Strategies.h"
-#include "Helper/Exact/Tetrahedralize.h"
+#include "Helper/Attempts/Task.h"
 
 namespace carving::helper
 {
@@ -19,23 +19,40 @@ class Attempts
 {
 public:
   Attempts(const Job& job, Reply& reply, const StrategyHost& host);
+  virtual ~Attempts() = default;
 
 protected:
+  /** Does a task, in the child process. Returns whether a reply has been written. */
+  virtual bool Do(const Task& task) = 0;
+
   /** The points that C0 has besides those of M. */
   std::vector<Point> FurtherPoints(const std::vector<Point>& points) const;
 
   /**
-   * Does work in a child process, and records how the child ended unless the work has recorded its
-   * own failure: `subject` and the mistake follow `attempt` on a line.
+   * Does a task in a child process, and records how the child ended unless the task has recorded its
+   * own failure: `subject` and the mistake follow `attempt` on a line. `meanwhile` may find that the
+   * work was for nothing (RunInChildProcess).
    */
   bool TryInChild(const std::string& attempt, const std::string& subject, const Limits& limits,
-    const std::function<bool()>& work);
+    const Task& task, const std::function<bool()>& meanwhile = {});
 
   /** Tries TetGen on the resolved mesh in the orders from `first` to the one before `last`. */
   bool TryOrders(const std::string& strategy, int first, int last, SurfacePoints surfacePoints);
 
+  /**
+   * Tries TetGen in the given order on a mesh that is not known to be resolved. `isResolved` is
+   * called meanwhile; if it returns false, the attempt leaves no trace.
+   */
+  bool TryUnresolved(const std::string& strategy, const std::function<bool()>& isResolved);
+
+  /** Tries TetGen on the resolved mesh in one order, in this process. */
+  bool TryOrder(int order, SurfacePoints surfacePoints);
+
   /** Tries recovery on the resolved mesh. */
   bool TryRecovery();
+
+  /** Does the same in this process. */
+  bool Recover();
 
   bool WriteResult();
 
@@ -48,9 +65,9 @@ protected:
   bool IsCustom;   ///< C0 is given
   bool IsRecovery; ///< TetGen is not tried
   Log Failures;
+  bool HasFinished = false; ///< the last attempt: neither a crash nor a limit ended it
 
 private:
-  bool TryOrder(int order, SurfacePoints surfacePoints);
   bool WriteExact(const Ending& ending);
 };
 

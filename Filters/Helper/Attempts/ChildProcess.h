@@ -9,6 +9,7 @@
 #include "Helper/Base/Ending.h"
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 
 namespace carving::helper
@@ -19,20 +20,52 @@ struct Limits
 {
   double Seconds = 0.0;          ///< by the clock
   double ProcessorSeconds = 0.0; ///< of the process and its own child processes together
-  double Mebibytes = 0.0;
+  double Mebibytes = 0.0;        ///< on Linux alone; elsewhere without effect
+};
+
+/** Work for a child process. */
+struct Work
+{
+  /** Does the work, in the child process. */
+  std::function<bool()> Do;
+  /** Writes all that a process needs to do the work if it does not see this one's memory. */
+  std::function<void(std::ostream&)> Write;
 };
 
 /**
- * Forks and calls `work` in the child. The child sees the memory of this process, and its changes
- * are lost, except for lines added to `Messages`. The returned mistake is empty if `work` returns
- * true, "failed" if `work` returns false, and otherwise says how the child ended.
+ * Does the work in a child process. The returned mistake is empty if the work returns true, "failed"
+ * if it returns false, and otherwise says how the child ended. Changes that the work makes to memory
+ * are lost, except for lines added to `Messages`.
+ *
+ * On Linux, the child is a fork of this process and calls `work.Do`. Elsewhere, it is another run of
+ * this program, which reads what `work.Write` has written.
  *
  * If the processor time of this process is limited, the child gets at most the remaining time, and
- * the time that the child takes is subtracted from it.
+ * the time that the child takes is subtracted from it. Where children are no forks, one that
+ * crashes, or that a limit by the clock ends, counts with its time by the clock.
+ *
+ * This process calls `meanwhile` beside the child. If that returns false, the child is killed unless
+ * it has ended, its time is not subtracted, and the mistake is "is not wanted".
  */
-Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work);
+Ending RunInChildProcess(
+  const Limits& limits, const Work& work, const std::function<bool()>& meanwhile = {});
 
-/** Limits the memory of this process and of processes that it forks; 0: no limit. */
+/** The mistake of a child that is not wanted any more. */
+constexpr const char* NotWanted = "is not wanted";
+
+/**
+ * To be called first in a program that runs child processes, with the arguments of its function
+ * main. A limit on the size of files then makes writing fail instead of ending the program. On
+ * Linux, the program ends with its parent.
+ *
+ * Elsewhere, if this run of the program is a child process, the function calls `resume` with what
+ * `Work::Write` has written, and ends the process. Temporary files are made, and vanish; their names
+ * begin with `stem`, a path that no other program uses.
+ */
+void BeginProgram(int argc, char* argv[], const std::string& stem,
+  const std::function<bool(std::istream&)>& resume);
+
+/** Limits the memory of this process and of its child processes, on Linux alone; 0: no limit. */
 void LimitMemory(double mebibytes);
 
 } // namespace carving::helper

@@ -7,6 +7,7 @@
 #define carving_Log_h
 
 #include "Core/Protocol/Protocol.h"
+#include "Helper/Attempts/Messages.h"
 #include "Helper/Base/Ending.h"
 
 #include <string>
@@ -14,33 +15,18 @@
 namespace carving::helper
 {
 
-/** Text that this process shares with its child processes, and they with theirs; at most 8 KiB. */
-class Messages
-{
-public:
-  Messages();
-  ~Messages();
-  Messages(const Messages&) = delete;
-  void operator=(const Messages&) = delete;
-
-  void Add(const std::string& line);
-  std::string Get() const;
-
-private:
-  char* Shared;
-};
-
 /** How attempts ended, for the reply. */
 class Log
 {
 public:
   /** `attempt` is the beginning of the line that the mistake ends. */
   void Add(const std::string& attempt, const Ending& ending);
+  void Clear();
   void CopyTo(Reply& reply) const;
 
 private:
-  Messages Attempts; ///< one line per attempt
-  Messages Limits;   ///< one line per limit that ended any attempt
+  Messages Attempts{ "attempts" }; ///< one line per attempt
+  Messages Limits{ "limits" };     ///< one line per limit that ended any attempt
 };
 
 } // namespace carving::helper

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Protocol/SecondsSince.h"
 #include "Helper/Attempts/Attempts.h"
 #include "Helper/Attempts/Patience.h"
 #include "Helper/Exact/InitialSurface.h"
@@ -10,10 +11,12 @@
 #include "Helper/Recovery/Enclose.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Interior.h"
+#include "Helper/Resolve/Intersections.h"
 #include "Helper/Resolve/Resolve.h"
 #include "Helper/Resolve/Snap.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <sstream>
 
@@ -70,6 +73,7 @@ class StrategyRun : private Attempts
 public:
   using Attempts::Attempts;
   bool TryAll();
+  bool Do(const Task& task) override;
 
 private:
   bool TryExact();
@@ -94,10 +98,9 @@ bool StrategyRun::TryAll()
   if (this->TheJob.Conformity != Conformity::Enclosing)
   {
     const Limits limits = LimitsOfExact(this->TheJob, surface.Facets.size());
-    if (this->TryInChild(
-          "", "Resolving and tetrahedralizing ", limits, [&] { return this->TryExact(); }) ||
+    if (this->TryInChild("", "Resolving and tetrahedralizing ", limits, { Task::Goal::Exact }) ||
       (this->TheJob.SnapTolerance > 0.0 && !this->IsCustom &&
-        this->TryInChild("", "Snapping ", limits, [&] { return this->TrySnapped(); })))
+        this->TryInChild("", "Snapping ", limits, { Task::Goal::Snapped })))
     {
       return true;
     }
@@ -106,8 +109,8 @@ bool StrategyRun::TryAll()
   this->Failures.CopyTo(this->TheReply);
   const bool mayEnclose = this->TheJob.Conformity != Conformity::Exact && !this->IsCustom;
   if (mayEnclose &&
-    this->TryInChild("Delaunay, enclosing: ", "", LimitsOfEnclosing(this->TheJob),
-      [&] { return this->TryEnclosing(); }))
+    this->TryInChild(
+      "Delaunay, enclosing: ", "", LimitsOfEnclosing(this->TheJob), { Task::Goal::Enclosing }))
   {
     return true;
   }
@@ -123,12 +126,56 @@ bool StrategyRun::TryAll()
   return false;
 }
 
+bool StrategyRun::Do(const Task& task)
+{
+  switch (task.What)
+  {
+    case Task::Goal::Exact:
+      return this->TryExact();
+    case Task::Goal::Snapped:
+      return this->TrySnapped();
+    case Task::Goal::Enclosing:
+      return this->TryEnclosing();
+    case Task::Goal::Recovered:
+      return this->Recover();
+    case Task::Goal::Ordered:
+      return this->TryOrder(task.Order, task.Points);
+  }
+  return false;
+}
+
 /** Resolving takes so long that all orders share the resolved mesh. */
 bool StrategyRun::TryExact()
 {
   ResolvedMesh& surface = this->TheReply.Result.Surface;
+  std::vector<std::pair<int, int>> pairs;
+  const auto findPairs = [&]
+  {
+    pairs = FindIntersections(surface.Points, surface.Facets);
+    return pairs.empty();
+  };
+  // Without a report: the progress is that of TetGen, which runs meanwhile.
+  const auto findMeanwhile = [&]
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const bool resolved = findPairs();
+    this->TheReply.StageSeconds[static_cast<int>(Stage::Resolve)] += SecondsSince(start);
+    return resolved;
+  };
+  // Few meshes cross themselves. So TetGen need not wait for the search if a processor is free.
+  const bool early = this->TheJob.Processes > 1 && !this->IsCustom && !this->IsRecovery;
+  if (early && this->TryUnresolved("TetGen -pcY", findMeanwhile))
+  {
+    return true;
+  }
   this->Host.Begin(Stage::Resolve);
-  const std::string mistake = Resolve(surface, this->TheReply.IntersectingPairs, this->Host.Report,
+  if (!early)
+  {
+    findPairs();
+  }
+  const int firstOrder = early && pairs.empty() ? 1 : 0;
+  this->TheReply.IntersectingPairs = static_cast<int>(pairs.size());
+  const std::string mistake = ResolvePairs(surface, std::move(pairs), this->Host.Report,
     MaximumPairs(this->TheJob, surface.Facets.size()));
   this->Host.End();
   if (!mistake.empty())
@@ -151,10 +198,15 @@ bool StrategyRun::TryExact()
   // Recovery leaves too many triangles of a mesh whose crossings have been resolved.
   const bool mayRecover =
     this->TheJob.Strategy == Strategy::Auto && this->TheReply.IntersectingPairs == 0;
-  return this->TryOrders("TetGen -pcY", 0, 1, SurfacePoints::None) ||
-    (mayRecover && this->TryRecovery()) ||
+  if (this->TryOrders("TetGen -pcY", firstOrder, 1, SurfacePoints::None))
+  {
+    return true;
+  }
+  // TetGen comes to its end on most meshes of which another order loses no triangle.
+  const bool recoverFirst = mayRecover && !this->HasFinished;
+  return (recoverFirst && this->TryRecovery()) ||
     this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||
-    this->TryWithoutInterior() ||
+    (mayRecover && !recoverFirst && this->TryRecovery()) || this->TryWithoutInterior() ||
     this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
 }
 
@@ -252,6 +304,13 @@ bool StrategyRun::TryWithoutInterior()
 bool TryStrategies(const Job& job, Reply& reply, const StrategyHost& host)
 {
   return StrategyRun(job, reply, host).TryAll();
+}
+
+bool ResumeStrategies(std::istream& in, Job& job, Reply& reply, const StrategyHost& host)
+{
+  Task task;
+  ReadTask(in, task, job, reply);
+  return StrategyRun(job, reply, host).Do(task);
 }
 
 } // namespace carving::helper

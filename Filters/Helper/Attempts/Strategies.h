@@ -9,6 +9,7 @@
 #include "Core/Protocol/Protocol.h"
 
 #include <functional>
+#include <iosfwd>
 
 namespace carving::helper
 {
@@ -27,8 +28,9 @@ struct StrategyHost
  * Resolves and tetrahedralizes `reply.Result.Surface`, which has been cleaned, and writes the
  * reply. Each strategy runs in a child process:
  * 1. TetGen on M as it is. Since many failures depend on the order of the points and triangles
- *    alone, another order follows; so do recovery in a Delaunay tetrahedralization, M without the
- *    triangles inside the solid, and M with points added on its triangles.
+ *    alone, another order follows; so do recovery in a Delaunay tetrahedralization (first, if
+ *    TetGen has crashed or taken too long), M without the triangles inside the solid, and M with
+ *    points added on its triangles.
  * 2. TetGen on M with its points rounded to a grid, if the job has a SnapTolerance and C0 is not
  *    given.
  * 3. The enclosing Delaunay tetrahedralization, which always succeeds, unless the job's conformity
@@ -43,6 +45,12 @@ struct StrategyHost
  * Returns false with `reply.Error`, which the caller writes, if all strategies fail.
  */
 bool TryStrategies(const Job& job, Reply& reply, const StrategyHost& host);
+
+/**
+ * Does the part of TryStrategies that another process has handed to this one, and reads the job and
+ * the reply so far before. Returns whether a reply has been written.
+ */
+bool ResumeStrategies(std::istream& in, Job& job, Reply& reply, const StrategyHost& host);
 
 } // namespace carving::helper
 

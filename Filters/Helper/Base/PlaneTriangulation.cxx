@@ -36,4 +36,21 @@ std::vector<PlaneTriangulation::Vertex_handle> InsertInOrder(
   return vertices;
 }
 
+std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
+  const std::vector<Point>& points, PlaneTriangulation& triangulation)
+{
+  std::vector<PlaneKernel::Point_2> places;
+  places.reserve(points.size());
+  for (const Point& point : points)
+  {
+    places.emplace_back(point[0], point[1]);
+  }
+  const auto vertices = InsertInOrder(places, triangulation);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    vertices[i]->info().Value = static_cast<int>(i);
+  }
+  return vertices;
+}
+
 } // namespace carving::helper

@@ -7,6 +7,8 @@
 #ifndef carving_PlaneTriangulation_h
 #define carving_PlaneTriangulation_h
 
+#include "Core/Mesh/Mesh.h"
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -36,6 +38,12 @@ using PlaneTriangulation =
  */
 std::vector<PlaneTriangulation::Vertex_handle> InsertInOrder(
   const std::vector<PlaneKernel::Point_2>& points, PlaneTriangulation& triangulation);
+
+/**
+ * Inserts points, no two of which have the same first two coordinates, with their indices. Returns the vertex of each point.
+ */
+std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
+  const std::vector<Point>& points, PlaneTriangulation& triangulation);
 
 } // namespace carving::helper
 

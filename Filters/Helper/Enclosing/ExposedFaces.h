@@ -6,6 +6,7 @@
 #ifndef carving_ExposedFaces_h
 #define carving_ExposedFaces_h
 
+#include "Helper/Enclosing/KeptDistances.h"
 #include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Enclosing/SurfaceDistance.h"
 
@@ -27,14 +28,6 @@ bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f);
  */
 bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
   const SurfaceDistance& distance, double tolerance);
-
-/** The distances from M of the points on exposed faces; 0 if no tetrahedron is pierced. */
-struct KeptDistances
-{
-  double Maximum;      ///< to within 5 %, but at least the negligible distance
-  double Percentile99; ///< of all but a hundredth of the area
-  double Mean;         ///< over the area
-};
 
 /**
  * The maximum is found by search, the others from samples that are a hundredth of `length` apart.

@@ -40,6 +40,44 @@ double SixHullVolume(const std::vector<Point>& points)
   return sum;
 }
 
+/**
+ * All points whose convex hull is that of all points: points inside the union of the cells are left
+ * out.
+ */
+std::vector<Point> PointsAtBoundary(const Tetrahedralization& mesh)
+{
+  std::vector<char> isInside(mesh.Surface.Points.size(), 0);
+  for (const Tetrahedralization::Cell& cell : mesh.Cells)
+  {
+    for (const int vertex : cell)
+    {
+      isInside[vertex] = 1;
+    }
+  }
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      if (mesh.Neighbors[cell][f] < 0)
+      {
+        for (const int vertex : mesh.OutwardFace(static_cast<int>(cell), f))
+        {
+          isInside[vertex] = 0;
+        }
+      }
+    }
+  }
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < isInside.size(); ++i)
+  {
+    if (!isInside[i])
+    {
+      points.push_back(mesh.Surface.Points[i]);
+    }
+  }
+  return points;
+}
+
 } // namespace
 
 bool FillHull(const Tetrahedralization& mesh)
@@ -50,7 +88,7 @@ bool FillHull(const Tetrahedralization& mesh)
   {
     sum += SixVolume(points[a], points[b], points[c], points[d]);
   }
-  const double hull = SixHullVolume(points);
+  const double hull = SixHullVolume(PointsAtBoundary(mesh));
   return std::abs(sum - hull) <= 1e-9 * hull + 1e-14 * std::pow(Diagonal(points), 3.0);
 }
 

@@ -9,8 +9,8 @@ namespace carving::helper
 
 /**
  * Whether the volumes of the tetrahedra add up to the volume of the convex hull of all points,
- * except for rounding. If not, tetrahedra are missing or overlap. The hull is computed
- * independently of them.
+ * except for rounding. If not, tetrahedra are missing or overlap. The hull is that of all points
+ * that are not surrounded by tetrahedra.
  */
 bool FillHull(const Tetrahedralization& mesh);
 

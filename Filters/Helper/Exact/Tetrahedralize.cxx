@@ -125,6 +125,14 @@ struct SortedFacet
   }
 };
 
+/** The face of a cell that it shares with a neighbor. */
+int FaceTowards(const Tetrahedralization& mesh, int cell, int neighbor)
+{
+  const auto& neighbors = mesh.Neighbors[cell];
+  const auto found = std::find(neighbors.begin(), neighbors.end(), neighbor);
+  return static_cast<int>(found - neighbors.begin()) % 4; // % for neighbors that are not mutual
+}
+
 /** Finds the triangles of M among the faces; returns the number of missing triangles. */
 std::size_t FindConstraints(Tetrahedralization& result)
 {
@@ -144,20 +152,28 @@ std::size_t FindConstraints(Tetrahedralization& result)
     std::sort(facets[point].begin(), facets[point].end());
   }
   std::vector<char> found(triangles.size(), 0);
-  result.Constraints.resize(result.Cells.size());
-  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  result.Constraints.assign(result.Cells.size(), { -1, -1, -1, -1 });
+  for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
   {
     for (int f = 0; f < 4; ++f)
     {
-      const auto [least, middle, greatest] = Sorted(result.OutwardFace(static_cast<int>(cell), f));
+      const int neighbor = result.Neighbors[cell][f];
+      if (neighbor >= 0 && neighbor < cell)
+      {
+        continue; // the neighbor has searched for their common face
+      }
+      const auto [least, middle, greatest] = Sorted(result.OutwardFace(cell, f));
       const SortedFacet face = { { middle, greatest }, -1 };
       const auto bucket = facets[least];
       const auto facet = std::lower_bound(bucket.begin(), bucket.end(), face);
-      const bool matches = facet != bucket.end() && facet->Greater == face.Greater;
-      result.Constraints[cell][f] = matches ? facet->Index : -1;
-      if (matches)
+      if (facet != bucket.end() && facet->Greater == face.Greater)
       {
         found[facet->Index] = 1;
+        result.Constraints[cell][f] = facet->Index;
+        if (neighbor >= 0)
+        {
+          result.Constraints[neighbor][FaceTowards(result, neighbor, cell)] = facet->Index;
+        }
       }
     }
   }
@@ -186,6 +202,10 @@ Ending CallTetGen(const std::vector<Point>& points, const ResolvedMesh& surface,
       throw std::bad_alloc();
     }
     return { "TetGen gave up with code " + std::to_string(code) };
+  }
+  if (out.numberoftetrahedra > MaximumCells)
+  {
+    return { "TetGen made more than " + std::to_string(MaximumCells) + " tetrahedra", true };
   }
   const std::size_t given = surface.Points.size();
   if (static_cast<std::size_t>(out.numberofpoints) > given + MaximumPointsAdded(given))

@@ -2,6 +2,7 @@
 #include "Helper/Plane/ResolveContours.h"
 
 #include "Helper/Base/Cleaning.h"
+#include "Helper/Base/PlaneTriangulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,23 +130,6 @@ int Split(const Contours& contours, bool snap, Contours& result, const Progress&
 }
 
 } // namespace
-
-std::vector<Vertex> InsertPoints(
-  const std::vector<Point>& points, PlaneTriangulation& triangulation)
-{
-  std::vector<PlaneKernel::Point_2> places;
-  places.reserve(points.size());
-  for (const Point& point : points)
-  {
-    places.emplace_back(point[0], point[1]);
-  }
-  const std::vector<Vertex> vertices = InsertInOrder(places, triangulation);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    vertices[i]->info().Value = static_cast<int>(i);
-  }
-  return vertices;
-}
 
 Contours AsContours(const ContourSet& given, bool initial)
 {

@@ -8,7 +8,6 @@
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Progress.h"
-#include "Helper/Base/PlaneTriangulation.h"
 
 #include <string>
 #include <vector>
@@ -25,12 +24,6 @@ struct Contours : ResolvedInput<2>
 {
   std::vector<char> Initial;
 };
-
-/**
- * Inserts points, no two of which are equal, with their indices. Returns the vertex of each point.
- */
-std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
-  const std::vector<Point>& points, PlaneTriangulation& triangulation);
 
 /** The given edges of M, or, with `initial`, of the boundary of C0, whose points have no source. */
 Contours AsContours(const ContourSet& given, bool initial);

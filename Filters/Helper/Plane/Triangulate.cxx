@@ -5,6 +5,7 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/GrownBox.h"
+#include "Helper/Base/PlaneTriangulation.h"
 #include "Helper/Plane/InitialContour.h"
 
 #include <algorithm>

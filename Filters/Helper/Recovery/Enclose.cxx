@@ -4,6 +4,7 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
+#include "Helper/Enclosing/ExposedFaces.h"
 #include "Helper/Enclosing/Refine.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"

@@ -8,7 +8,7 @@
 #define carving_Enclose_h
 
 #include "Core/Mesh/Mesh.h"
-#include "Helper/Enclosing/ExposedFaces.h"
+#include "Helper/Enclosing/KeptDistances.h"
 
 #include <functional>
 #include <vector>

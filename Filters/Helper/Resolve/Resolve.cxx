@@ -115,12 +115,18 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
 std::string Resolve(
   ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  intersectingPairs = static_cast<int>(pairs.size());
+  return ResolvePairs(mesh, std::move(pairs), progress, maximumPairs);
+}
+
+std::string ResolvePairs(
+  ResolvedMesh& mesh, Pairs pairs, const Progress& progress, double maximumPairs)
+{
   // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
   // more.
   constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
-  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
   const std::size_t given = pairs.size();
-  intersectingPairs = static_cast<int>(given);
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
     return std::to_string(pairs.size()) +

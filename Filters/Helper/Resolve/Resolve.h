@@ -7,6 +7,8 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace carving::helper
 {
@@ -23,6 +25,10 @@ namespace carving::helper
  */
 std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress,
   double maximumPairs = HUGE_VAL);
+
+/** Does the same, given all `pairs` that intersect (FindIntersections). */
+std::string ResolvePairs(ResolvedMesh& mesh, std::vector<std::pair<int, int>> pairs,
+  const Progress& progress, double maximumPairs = HUGE_VAL);
 
 } // namespace carving::helper
 

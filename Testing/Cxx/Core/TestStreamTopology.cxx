@@ -14,12 +14,10 @@ using namespace carving;
 namespace
 {
 
-Profile MakeProfile(
+StreamTopology Compute(
   const Tetrahedralization& mesh, const Stream& stream, SolidRule rule = SolidRule::NonzeroWinding)
 {
-  Profile profile;
-  SetTopology(profile, mesh, Classify(mesh, rule), stream);
-  return profile;
+  return ComputeTopology(mesh, Classify(mesh, rule), stream);
 }
 
 } // namespace
@@ -29,10 +27,10 @@ Profile MakeProfile(
 TEST(StreamTopology, OfARowIsTrivial)
 {
   const Tetrahedralization mesh = small::Row(5);
-  const Profile profile = MakeProfile(mesh, small::Carved(mesh, small::OneByOne()));
-  EXPECT_EQ(profile.Components, std::vector<int>(6, 1));
-  EXPECT_EQ(profile.Tunnels, std::vector<int>(6, 0));
-  EXPECT_EQ(profile.Voids, std::vector<int>(6, 0));
+  const StreamTopology topology = Compute(mesh, small::Carved(mesh, small::OneByOne()));
+  EXPECT_EQ(topology.Components, std::vector<int>(6, 1));
+  EXPECT_EQ(topology.Tunnels, std::vector<int>(6, 0));
+  EXPECT_EQ(topology.Voids, std::vector<int>(6, 0));
 }
 
 // A shell around a solid: carving the void between them ends with two components and one void; of
@@ -42,12 +40,12 @@ TEST(StreamTopology, OfAShellEndsInItsVoid)
   const Tetrahedralization mesh = small::NestedTetrahedra(
     small::Joined(small::InnerFaces(), small::Flipped(small::OuterFaces())));
   const SolidRule rule = SolidRule::SurfaceOnly;
-  const Profile profile = MakeProfile(mesh, small::Carved(mesh, {}, rule), rule);
-  EXPECT_EQ(profile.Components.front(), 1);
-  EXPECT_EQ(profile.Components.back(), 2);
-  EXPECT_EQ(profile.Tunnels.back(), 0);
-  EXPECT_EQ(profile.Voids.front(), 0);
-  EXPECT_EQ(profile.Voids.back(), 2);
+  const StreamTopology topology = Compute(mesh, small::Carved(mesh, {}, rule), rule);
+  EXPECT_EQ(topology.Components.front(), 1);
+  EXPECT_EQ(topology.Components.back(), 2);
+  EXPECT_EQ(topology.Tunnels.back(), 0);
+  EXPECT_EQ(topology.Voids.front(), 0);
+  EXPECT_EQ(topology.Voids.back(), 2);
 }
 
 // Every step of small streams has the Betti numbers that the ranks of boundary matrices give.
@@ -59,11 +57,11 @@ TEST(StreamTopology, AgreesWithBoundaryMatrices)
          small::NestedTetrahedra(small::OuterFaces()), small::NestedTetrahedra({ inner[0] }) })
   {
     const Stream stream = small::Carved(mesh, small::OneByOne());
-    const Profile profile = MakeProfile(mesh, stream);
+    const StreamTopology topology = Compute(mesh, stream);
     for (int step = 0; step <= stream.LastStep(); ++step)
     {
       EXPECT_EQ((homology::BettiNumbers{
-                  profile.Components[step], profile.Tunnels[step], profile.Voids[step], 0 }),
+                  topology.Components[step], topology.Tunnels[step], topology.Voids[step], 0 }),
         homology::ComputeBettiNumbers(homology::ClosedComplex(mesh, stream, step)));
     }
   }

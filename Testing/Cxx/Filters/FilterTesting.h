@@ -134,6 +134,10 @@ public:
 private:
   void Abort()
   {
+    if (this->Filter->GetProgress() == 1.0)
+    {
+      return; // from the pipeline, which reports the end of an aborted update, too, since VTK 9.3
+    }
     const char* stage = this->Filter->GetProgressText();
     if ((this->Stage.empty() || (stage && std::string(stage).find(this->Stage) == 0)) &&
       --this->Reports <= 0)

@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtractCarvedLOD.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -280,5 +281,23 @@ TEST(DamagedStreams, AreRefusedForAProfileOfOtherCells)
       taken.Add(name, counts);
       ExpectError(taken.Stream, Quoted(name) + "contradicts the cells");
     }
+  }
+}
+
+// Levels do not depend on the ranges of targets. Damaged ranges are unknown.
+TEST(DamagedStreams, GiveLevelsWithoutRanges)
+{
+  const Name name = { Field, "TargetRanges" };
+  const auto whole = MakeStream();
+  for (const double value : { NaN, -1.0 })
+  {
+    Taken taken(whole, name);
+    vtkDataArray::SafeDownCast(taken.Array)->SetComponent(2, 1, value);
+    taken.Add(name, taken.Array);
+    EXPECT_EQ(ErrorOf(taken.Stream), "");
+    vtkNew<vtkExtractCarvedLOD> extract;
+    extract->SetInputData(taken.Stream);
+    double range[2];
+    EXPECT_FALSE(extract->GetLevelTargetRange(vtkExtractCarvedLOD::VERTICES, range));
   }
 }

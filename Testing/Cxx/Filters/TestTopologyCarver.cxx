@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
+#include "RandomModels.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -194,6 +195,30 @@ TEST(TopologyCarver, IsDeterministic)
   {
     SCOPED_TRACE("port " + std::to_string(port));
     ExpectEqualData(carvers[0]->GetOutputDataObject(port), carvers[1]->GetOutputDataObject(port));
+  }
+}
+
+// So do other numbers of threads. Winding numbers of this mesh, which is open and cannot be met, are
+// measured.
+TEST(TopologyCarver, GivesTheSameForAnyNumberOfThreads)
+{
+  std::mt19937_64 random(7);
+  auto mesh = models::BoxSoup(6, random);
+  mesh.Triangles.resize(mesh.Triangles.size() - 5);
+  vtkNew<vtkTopologyCarver> one, several;
+  one->SetNumberOfThreads(1);
+  Carve(one, ToPolyData(mesh));
+  ASSERT_TRUE(Has(GetNotes(one), "only enclosed"));
+  ASSERT_GT(CountLevels(one), 1);
+  for (const int threads : { 2, 5 })
+  {
+    several->SetNumberOfThreads(threads);
+    Carve(several, ToPolyData(mesh));
+    for (int port = 0; port < 3; ++port)
+    {
+      SCOPED_TRACE("port " + std::to_string(port));
+      ExpectEqualData(one->GetOutputDataObject(port), several->GetOutputDataObject(port));
+    }
   }
 }
 

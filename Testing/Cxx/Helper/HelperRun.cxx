@@ -3,22 +3,38 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace
+{
+
+/** The arguments that SetHelperCommand gives the helper program, for a shell. */
+std::string ArgumentsFor(const std::string& job, const std::string& reply)
+{
+#ifdef TOPOLOGYCARVING_PORTABLE
+  return "\"" + job + "\" \"" + reply + "\" > /dev/null";
+#else
+  return "< \"" + job + "\" > \"" + reply + "\"";
+#endif
+}
+
+} // namespace
+
 HelperRun RunHelper(const std::string& input)
 {
-  // Unique names, since tests may run in parallel.
-  const std::string stem = testing::TempDir() + "carving-helper-test-" + std::to_string(getpid());
-  const std::string job = stem + ".job", reply = stem + ".reply";
+  // A unique name, since tests may run in parallel.
+  const std::string folder = testing::TempDir() + "carving-helper-test-" + std::to_string(getpid());
+  std::filesystem::create_directory(folder);
+  const std::string job = folder + "/job", reply = folder + "/reply";
   std::ofstream(job, std::ios::binary) << input;
   const std::string command =
-    "\"" CARVING_HELPER "\" < \"" + job + "\" > \"" + reply + "\" 2> /dev/null";
+    "\"" CARVING_HELPER "\" " + ArgumentsFor(job, reply) + " 2> /dev/null";
   const int status = std::system(command.c_str());
 
   HelperRun run;
@@ -26,8 +42,7 @@ HelperRun RunHelper(const std::string& input)
   std::ifstream in(reply, std::ios::binary);
   run.Output.assign(std::istreambuf_iterator<char>(in), {});
   run.Mistake = carving::Read(run.Output.data(), run.Output.size(), run.Reply);
-  std::remove(job.c_str());
-  std::remove(reply.c_str());
+  std::filesystem::remove_all(folder);
   return run;
 }
 

@@ -185,7 +185,8 @@ Carved CarveResult(const Tetrahedralization& mesh, const CarveOptions& options, 
   Carve(carved.Mesh, carved.Regions, options, carved.Stream);
   carved.Stored = Store(carved.Mesh, carved.Regions, carved.Stream);
   carved.Profile = ComputeProfile(carved.Stored);
-  SetTopology(carved.Profile, carved.Mesh, carved.Regions, carved.Stream);
+  static_cast<StreamTopology&>(carved.Profile) =
+    ComputeTopology(carved.Mesh, carved.Regions, carved.Stream);
   return carved;
 }
 

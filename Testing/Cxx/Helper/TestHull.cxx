@@ -15,9 +15,11 @@ TEST(Hull, IsFilledByAllTetrahedra)
     GetReply(models::Joined(models::Sphere(3), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))).Result;
   EXPECT_TRUE(FillHull(mesh));
   const auto last = mesh.Cells.back();
+  const auto neighborsOfLast = mesh.Neighbors.back();
   mesh.Cells.pop_back();
+  mesh.Neighbors.pop_back();
   EXPECT_FALSE(FillHull(mesh));
-  mesh.Cells.push_back(last);
-  mesh.Cells.push_back(last);
+  mesh.Cells.insert(mesh.Cells.end(), 2, last);
+  mesh.Neighbors.insert(mesh.Neighbors.end(), 2, neighborsOfLast);
   EXPECT_FALSE(FillHull(mesh));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "ChildWork.h"
 #include "Core/Mesh/Adjacency.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Attempts/Log.h"
+#include "Helper/Attempts/Messages.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
@@ -13,11 +14,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
+#include <map>
 #include <random>
-#include <unistd.h>
+#include <thread>
 
 using namespace carving;
 using namespace carving::helper;
@@ -57,12 +61,79 @@ TriangleMesh NeedsSnapping()
   return models::Doubled(models::Sphere(1), 1e-13, random);
 }
 
+/** In place of writing a reply, a test does something and gives a line; an empty one: failure. */
+using Writing = std::function<std::string(const Reply&)>;
+
+void Sleep(double seconds)
+{
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+/** By their names, since the child processes can be further runs of this program. */
+const std::map<std::string, Writing> Writings = {
+  { "fail in the first order",
+    [](const Reply& reply)
+    { return reply.Strategy == "TetGen -pcY" ? std::string() : reply.Strategy; } },
+  { "hang in the first order",
+    [](const Reply& reply)
+    {
+      while (reply.Strategy == "TetGen -pcY")
+      {
+        Sleep(1.0);
+      }
+      return reply.Strategy;
+    } },
+  { "compute in the first order",
+    [](const Reply& reply)
+    {
+      while (reply.Strategy == "TetGen -pcY")
+      {
+        std::clock();
+      }
+      return reply.Strategy + ", " + reply.Limits;
+    } },
+  { "sleep",
+    [](const Reply& reply)
+    {
+      Sleep(4.0); // longer than the 3 s for an attempt at so small a mesh
+      return reply.Strategy;
+    } },
+  { "hang unless enclosing",
+    [](const Reply& reply)
+    {
+      while (reply.Strategy != "Delaunay, enclosing")
+      {
+        Sleep(1.0);
+      }
+      return reply.Limits;
+    } },
+};
+constexpr const char* WritingVariable = "TOPOLOGYCARVING_TEST_WRITING";
+
+/** A host that adds a line to `lines` in place of writing the reply. */
+StrategyHost WritingHost(const Reply& reply, Messages& lines)
+{
+  const Writing write = Writings.at(std::getenv(WritingVariable));
+  return { [](Stage) {}, [](double) { return true; }, [] {},
+    [&, write]
+    {
+      const std::string line = write(reply);
+      if (!line.empty())
+      {
+        lines.Add(line);
+      }
+      return !line.empty();
+    } };
+}
+
+constexpr const char* Lines = "lines";
+
 /**
- * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time. Returns what
- * `describe` returns for the reply that is written.
+ * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time. Returns the lines
+ * that the named writing gives.
  */
-std::string TryOnSphere(double timeLimit, const std::function<std::string(const Reply&)>& describe,
-  Strategy strategy = Strategy::Auto)
+std::string TryOnSphere(
+  double timeLimit, const std::string& writing, Strategy strategy = Strategy::Auto)
 {
   Job job;
   job.Mesh = models::Sphere(1);
@@ -72,18 +143,27 @@ std::string TryOnSphere(double timeLimit, const std::function<std::string(const 
   Reply reply;
   reply.StageSeconds.assign(NumberOfStages, 0.0);
   reply.Result.Surface = Clean(AsResolved(job.Mesh));
-  Messages written;
-  const auto write = [&]
-  {
-    written.Add(describe(reply));
-    return true;
-  };
-  EXPECT_TRUE(
-    TryStrategies(job, reply, { [](Stage) {}, [](double) { return true; }, [] {}, write }));
-  return written.Get();
+  setenv(WritingVariable, writing.c_str(), 1);
+  Messages lines(Lines);
+  EXPECT_TRUE(TryStrategies(job, reply, WritingHost(reply, lines)));
+  unsetenv(WritingVariable);
+  return lines.Get();
 }
 
 } // namespace
+
+bool BelongsToStrategies()
+{
+  return std::getenv(WritingVariable) != nullptr;
+}
+
+bool ResumeTestedStrategies(std::istream& in)
+{
+  Job job;
+  Reply reply;
+  Messages lines(Lines);
+  return ResumeStrategies(in, job, reply, WritingHost(reply, lines));
+}
 
 // The first strategy that succeeds is the last one tried.
 TEST(Strategies, EndAtTheFirstSuccess)
@@ -94,6 +174,24 @@ TEST(Strategies, EndAtTheFirstSuccess)
     EXPECT_EQ(reply.Strategy, "TetGen -pcY");
     EXPECT_EQ(reply.Attempts, "");
     EXPECT_TRUE(reply.Result.Kept.empty());
+  }
+}
+
+// A free processor for the search for crossings changes nothing but the seconds, whether there are
+// crossings or not, and whether TetGen succeeds or not.
+TEST(Strategies, DoNotDependOnTheNumberOfProcesses)
+{
+  std::mt19937_64 random(1);
+  for (const TriangleMesh& mesh : { models::Sphere(2),
+         models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 0.5, 0.2, 0.1 })),
+         NeedsSplitting(), NeedsEnclosing() })
+  {
+    Job job = MakeJob(mesh, Conformity::Auto);
+    Reply one = GetReply(job);
+    job.Processes = 2;
+    Reply two = GetReply(job);
+    one.StageSeconds = two.StageSeconds;
+    EXPECT_EQ(ToBytes(one), ToBytes(two)) << one.Strategy << " or " << two.Strategy;
   }
 }
 
@@ -120,20 +218,16 @@ TEST(Strategies, LeaveRecoveryOutOnRequest)
 {
   for (const Strategy strategy : { Strategy::TetGen, Strategy::Auto })
   {
-    const std::string written = TryOnSphere(
-      0.5,
-      [](const Reply& reply)
-      {
-        while (reply.Strategy == "TetGen -pcY")
-        {
-          pause();
-        }
-        return reply.Strategy;
-      },
-      strategy);
+    const std::string written = TryOnSphere(0.5, "hang in the first order", strategy);
     EXPECT_EQ(
       written, strategy == Strategy::TetGen ? "TetGen -pcY, order 1\n" : "Delaunay, recovery\n");
   }
+}
+
+// Where TetGen finishes but fails, its second order comes before recovery.
+TEST(Strategies, TryAnotherOrderWhereTetGenFinishes)
+{
+  EXPECT_EQ(TryOnSphere(0.0, "fail in the first order"), "TetGen -pcY, order 1\n");
 }
 
 // The time of failed attempts is counted by itself.
@@ -203,42 +297,21 @@ TEST(Strategies, EndInEnclosingWhereTetGenFails)
 // The strategy does not depend on the time that the machine spends on other work.
 TEST(Strategies, DoNotCountTheTimeOfOthers)
 {
-  const std::string written = TryOnSphere(0.0,
-    [](const Reply& reply)
-    {
-      sleep(4); // longer than the 3 s for an attempt at so small a mesh
-      return reply.Strategy;
-    });
+  const std::string written = TryOnSphere(0.0, "sleep");
   EXPECT_EQ(written, "TetGen -pcY\n");
 }
 
 // An attempt that computes too long is ended, and the reply names the limit.
 TEST(Strategies, EndAttemptsThatComputeTooLong)
 {
-  const std::string written = TryOnSphere(0.0,
-    [](const Reply& reply)
-    {
-      while (reply.Strategy == "TetGen -pcY")
-      {
-        std::clock();
-      }
-      return reply.Strategy + ", " + reply.Limits;
-    });
+  const std::string written = TryOnSphere(0.0, "compute in the first order");
   EXPECT_EQ(written, "Delaunay, recovery, TetGen took longer than 3.008 s of processor time\n\n");
 }
 
 // TimeLimit is by the clock, and the reply names it once, however many attempts it ends.
 TEST(Strategies, EndAttemptsByTheUsersClock)
 {
-  const std::string written = TryOnSphere(0.5,
-    [](const Reply& reply)
-    {
-      while (reply.Strategy != "Delaunay, enclosing")
-      {
-        pause();
-      }
-      return reply.Limits;
-    });
+  const std::string written = TryOnSphere(0.5, "hang unless enclosing");
   EXPECT_EQ(written, "TetGen took longer than 0.5 s\n\n");
 }
 

@@ -120,14 +120,13 @@ TEST(Topology, OfContoursCountsHoles)
   const Classification regions = Classify(mesh);
   Stream stream;
   Carve(mesh, regions, {}, stream);
-  Profile profile;
-  SetTopology(profile, mesh, regions, stream);
+  const StreamTopology topology = ComputeTopology(mesh, regions, stream);
   for (int step = 0; step <= stream.LastStep(); ++step)
   {
     EXPECT_EQ((homology::BettiNumbers{
-                profile.Components[step], profile.Tunnels[step], profile.Voids[step], 0 }),
+                topology.Components[step], topology.Tunnels[step], topology.Voids[step], 0 }),
       homology::ComputeBettiNumbers(homology::ClosedComplex(mesh, stream, step)));
   }
-  EXPECT_EQ(profile.Components.back(), 3);
-  EXPECT_EQ(profile.Tunnels.back(), 2);
+  EXPECT_EQ(topology.Components.back(), 3);
+  EXPECT_EQ(topology.Tunnels.back(), 2);
 }

@@ -3,8 +3,8 @@
  * @file
  * Output ports whose type of data follows the input's.
  */
-#ifndef OutputType_h
-#define OutputType_h
+#ifndef TypedOutput_h
+#define TypedOutput_h
 
 #include "vtkDataObjectAlgorithm.h"
 
@@ -12,7 +12,7 @@
  * Gives access to a static function that VTK reserves for subclasses. Its last argument must be
  * true: else VTK 9.1 takes a multiblock for an unstructured grid.
  */
-class OutputType : public vtkDataObjectAlgorithm
+class TypedOutput : public vtkDataObjectAlgorithm
 {
 public:
   using vtkDataObjectAlgorithm::SetOutputDataObject;

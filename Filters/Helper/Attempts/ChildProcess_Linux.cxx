@@ -137,9 +137,10 @@ void RestoreSignals()
  * Subtracts the processor time of a child from the limit of this process, and ends this process if
  * none remains.
  */
-void ChargeProcessorTime(const rusage& used, double remaining, bool usedUp)
+void ChargeProcessorTime(const rusage& used, bool usedUp)
 {
-  const double rest = remaining - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
+  const double rest =
+    RemainingProcessorSeconds() - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
   if (usedUp || rest <= 0.0)
   {
     std::raise(SIGPROF); // as this process's own timer would
@@ -148,6 +149,12 @@ void ChargeProcessorTime(const rusage& used, double remaining, bool usedUp)
 }
 
 } // namespace
+
+void BeginProgram(int, char*[], const std::string&, const std::function<bool(std::istream&)>&)
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
 
 void LimitMemory(double mebibytes)
 {
@@ -159,7 +166,8 @@ void LimitMemory(double mebibytes)
   }
 }
 
-Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work)
+Ending RunInChildProcess(
+  const Limits& limits, const Work& work, const std::function<bool()>& meanwhile)
 {
   std::fflush(nullptr);
   std::cout.flush();
@@ -173,16 +181,25 @@ Ending RunInChildProcess(const Limits& limits, const std::function<bool()>& work
   }
   if (child == 0)
   {
-    RunChild(self, limits, std::min(own, remaining), work);
+    RunChild(self, limits, std::min(own, remaining), work.Do);
+  }
+  const bool wanted = !meanwhile || meanwhile();
+  if (!wanted)
+  {
+    kill(child, SIGKILL);
   }
   int status = 0;
   rusage used = {};
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
   {
   }
+  if (!wanted)
+  {
+    return { NotWanted };
+  }
   if (remaining < HUGE_VAL)
   {
-    ChargeProcessorTime(used, remaining, remaining <= own && IsEndedBy(SIGPROF, status));
+    ChargeProcessorTime(used, remaining <= own && IsEndedBy(SIGPROF, status));
   }
   return Describe(status, limits);
 }

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Attempts/ChildProcess.h"
+
+#include "Core/Protocol/SecondsSince.h"
+#include "Helper/Attempts/ProgramRun.h"
+#include "vtksys/Process.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <thread>
+#include <vector>
+
+namespace carving::helper
+{
+namespace
+{
+
+constexpr int Failed = 3;
+constexpr int OutOfMemory = 4;
+constexpr int TimeIsUp = 5;
+constexpr const char* ChildOption = "--child"; ///< followed by stem, depth and processor seconds
+constexpr int NumberOfChildArguments = 4;
+constexpr double NoLimit = 1e8; ///< seconds, within the range of all systems' clocks
+
+/** This run of the program. */
+struct Run
+{
+  std::vector<std::string> Command; ///< the program with its own arguments
+  std::string Stem;
+  int Depth = 0; ///< 1: a child process, 2: a child of a child, ...
+  double ProcessorSeconds = NoLimit;
+  std::atomic<double> UsedByChildren{ 0.0 };
+  std::atomic<bool> HasChild{ false };
+};
+Run ThisRun;
+
+/** The file that is handed to the child process of a depth. */
+std::string HandedTo(int depth)
+{
+  return ThisRun.Stem + "." + std::to_string(depth);
+}
+
+/** The file with the processor time that a child process of a depth has used. */
+std::string UsedBy(int depth)
+{
+  return HandedTo(depth) + ".seconds";
+}
+
+/** Of this process and its children. Where clock() tells the time since the start, it counts as used. */
+double UsedProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC + ThisRun.UsedByChildren;
+}
+
+/** Ends a child process without destructors, which another thread might disturb. */
+[[noreturn]] void EndChild(int code)
+{
+  std::fflush(nullptr);
+  std::ofstream(UsedBy(ThisRun.Depth)) << UsedProcessorSeconds();
+  std::_Exit(code);
+}
+
+/**
+ * Starts a thread that ends this child process when its processor time is used up. If it has a child
+ * itself then, that ends by its own limit first.
+ */
+void WatchProcessorTime()
+{
+  std::thread(
+    []
+    {
+      for (;;)
+      {
+        const double rest = ThisRun.ProcessorSeconds - UsedProcessorSeconds();
+        if (rest <= 0.0 && !ThisRun.HasChild)
+        {
+          EndChild(TimeIsUp);
+        }
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::max(rest, 1e-2)));
+      }
+    })
+    .detach();
+}
+
+[[noreturn]] void RunChild(const std::function<bool(std::istream&)>& resume)
+{
+  if (ThisRun.ProcessorSeconds < NoLimit)
+  {
+    WatchProcessorTime();
+  }
+  int code = OutOfMemory;
+  try
+  {
+    std::ifstream in(HandedTo(ThisRun.Depth), std::ios::binary);
+    code = resume(in) ? 0 : Failed;
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  EndChild(code);
+}
+
+/** The command for a child process. */
+std::vector<std::string> ChildCommand(double processorSeconds)
+{
+  std::vector<std::string> command = ThisRun.Command;
+  command.insert(command.end(),
+    { ChildOption, ThisRun.Stem, std::to_string(ThisRun.Depth + 1),
+      std::to_string(processorSeconds) });
+  return command;
+}
+
+Ending TookTooLong(double seconds, const char* ofWhat)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "took longer than %g s%s", seconds, ofWhat);
+  return { text, true };
+}
+
+Ending DescribeExit(int code, const Limits& limits)
+{
+  switch (code)
+  {
+    case 0:
+      return {};
+    case OutOfMemory:
+      return { "ran out of memory", true };
+    case TimeIsUp:
+      return TookTooLong(limits.ProcessorSeconds, " of processor time");
+    default:
+      return { "failed" };
+  }
+}
+
+Ending Describe(vtksysProcess* process, const Limits& limits)
+{
+  switch (vtksysProcess_GetState(process))
+  {
+    case vtksysProcess_State_Exited:
+      return DescribeExit(vtksysProcess_GetExitValue(process), limits);
+    case vtksysProcess_State_Expired:
+      return TookTooLong(limits.Seconds, "");
+    case vtksysProcess_State_Exception:
+      return { std::string("crashed (") + vtksysProcess_GetExceptionString(process) + ")" };
+    default:
+      return { std::string("could not be started: ") + vtksysProcess_GetErrorString(process),
+        true };
+  }
+}
+
+/** Starts a command, whose output is that of this process. */
+void Start(vtksysProcess* process, const std::vector<std::string>& command, double seconds)
+{
+  std::vector<const char*> arguments;
+  for (const std::string& argument : command)
+  {
+    arguments.push_back(argument.c_str());
+  }
+  arguments.push_back(nullptr);
+  vtksysProcess_SetCommand(process, arguments.data());
+  vtksysProcess_SetPipeShared(process, vtksysProcess_Pipe_STDOUT, 1);
+  vtksysProcess_SetPipeShared(process, vtksysProcess_Pipe_STDERR, 1);
+  vtksysProcess_SetTimeout(process, std::min(seconds, NoLimit));
+  vtksysProcess_Execute(process);
+}
+
+/** Returns whether the work could be written. */
+bool HandOver(const Work& work, const std::string& fileName)
+{
+  std::ofstream out(fileName, std::ios::binary);
+  work.Write(out);
+  out.close();
+  return !!out;
+}
+
+/**
+ * Takes the processor time of a child process, which ended after so many seconds, for used, and ends
+ * this process if none remains.
+ */
+void ChargeProcessorTime(const std::string& fileName, double elapsed, bool usedUp)
+{
+  double used = 0.0;
+  const bool known = !!(std::ifstream(fileName) >> used);
+  std::remove(fileName.c_str());
+  ThisRun.UsedByChildren = ThisRun.UsedByChildren + (known ? used : elapsed);
+  if (usedUp || UsedProcessorSeconds() >= ThisRun.ProcessorSeconds)
+  {
+    EndChild(TimeIsUp); // as this process's own thread would
+  }
+}
+
+bool HasUsedUpItsTime(vtksysProcess* process)
+{
+  return vtksysProcess_GetState(process) == vtksysProcess_State_Exited &&
+    vtksysProcess_GetExitValue(process) == TimeIsUp;
+}
+
+} // namespace
+
+Ending RunInChildProcess(
+  const Limits& limits, const Work& work, const std::function<bool()>& meanwhile)
+{
+  std::fflush(nullptr);
+  const std::string handed = HandedTo(ThisRun.Depth + 1), used = UsedBy(ThisRun.Depth + 1);
+  std::remove(used.c_str()); // of a child whose parent was ended
+  if (!HandOver(work, handed))
+  {
+    std::remove(handed.c_str());
+    return { "could not be started: its input could not be written", true };
+  }
+  const double remaining = ThisRun.ProcessorSeconds - UsedProcessorSeconds();
+  const double own = limits.ProcessorSeconds > 0.0 ? limits.ProcessorSeconds : NoLimit;
+  const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> process{ vtksysProcess_New(),
+    vtksysProcess_Delete };
+  const auto start = std::chrono::steady_clock::now();
+  ThisRun.HasChild = true;
+  Start(process.get(), ChildCommand(std::min(own, remaining)), limits.Seconds);
+  const bool wanted = !meanwhile || meanwhile();
+  if (!wanted)
+  {
+    vtksysProcess_Kill(process.get());
+  }
+  vtksysProcess_WaitForExit(process.get(), nullptr);
+  ThisRun.HasChild = false;
+  std::remove(handed.c_str());
+  if (!wanted)
+  {
+    std::remove(used.c_str());
+    return { NotWanted };
+  }
+  ChargeProcessorTime(
+    used, SecondsSince(start), remaining <= own && HasUsedUpItsTime(process.get()));
+  return Describe(process.get(), limits);
+}
+
+void BeginProgram(
+  int argc, char* argv[], const std::string& stem, const std::function<bool(std::istream&)>& resume)
+{
+#ifdef SIGXFSZ // of systems that limit the size of files
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
+  ThisRun.Command.assign(argv, argv + argc);
+  ThisRun.Command[0] = vtksys::SystemTools::FindProgram(argv[0]);
+  ThisRun.Stem = stem;
+  const int own = argc - NumberOfChildArguments;
+  if (own > 0 && ThisRun.Command[own] == ChildOption)
+  {
+    ThisRun.Stem = argv[own + 1];
+    ThisRun.Depth = std::atoi(argv[own + 2]);
+    ThisRun.ProcessorSeconds = std::atof(argv[own + 3]);
+    ThisRun.Command.resize(own);
+    RunChild(resume);
+  }
+}
+
+std::string NameOfSharedFile(const std::string& name)
+{
+  return ThisRun.Stem + "." + name;
+}
+
+bool IsChildProcess()
+{
+  return ThisRun.Depth > 0;
+}
+
+/** There is no portable way to limit memory. */
+void LimitMemory(double)
+{
+}
+
+} // namespace carving::helper

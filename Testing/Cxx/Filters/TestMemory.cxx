@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterTesting.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace
+{
+
+/** During its lifetime, the machine seems to have so many KiB of memory. */
+class MemoryOfMachine
+{
+public:
+  explicit MemoryOfMachine(const char* kibibytes)
+  {
+    setenv("PV_HOST_MEMORY_LIMIT", kibibytes, 1);
+  }
+  ~MemoryOfMachine()
+  {
+    unsetenv("PV_HOST_MEMORY_LIMIT");
+  }
+};
+
+} // namespace
+
+// A mesh that needs more memory than the machine has is refused, with the need and what to do.
+TEST(Memory, IsCheckedBeforehand)
+{
+  const MemoryOfMachine machine("50");
+  vtkNew<vtkTopologyCarver> carver;
+  const std::string error = CarveWithError(carver, TwoBoxes());
+  EXPECT_TRUE(Has(error,
+    "The mesh has 16 vertices and 24 triangles: the helper program would need "
+    "about 0 MiB"));
+  EXPECT_TRUE(Has(error, "Decimate the mesh first"));
+}
+
+// A user who sets a limit may try any mesh.
+TEST(Memory, IsNotCheckedWithALimit)
+{
+  const MemoryOfMachine machine("50");
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetMemoryLimit(1e8); // sanitizers reserve terabytes of addresses
+  Carve(carver, TwoBoxes());
+  EXPECT_GT(CountLevels(carver), 0);
+}
+
+// Points that are given once per triangle count once.
+TEST(Memory, IsNeededForDistinctPoints)
+{
+  const MemoryOfMachine machine("100"); // enough for 16 vertices, not for 72
+  auto soup =
+    models::Joined(models::Box({ 0, 0, 0 }, { 1, 1, 1 }), models::Box({ 2, 0, 0 }, { 3, 1, 1 }));
+  carving::TriangleMesh repeated;
+  for (const carving::Triangle& triangle : soup.Triangles)
+  {
+    const int first = static_cast<int>(repeated.Points.size());
+    for (const int corner : triangle)
+    {
+      repeated.Points.push_back(soup.Points[corner]);
+    }
+    repeated.Triangles.push_back({ first, first + 1, first + 2 });
+  }
+  vtkNew<vtkTopologyCarver> carver;
+  Carve(carver, ToPolyData(repeated));
+  EXPECT_GT(CountLevels(carver), 0);
+}

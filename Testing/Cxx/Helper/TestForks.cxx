@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What child processes promise on Linux alone.
+#include "ChildProcessTesting.h"
+
+#include <csignal>
+#include <vector>
+
+using namespace carving::helper;
+
+namespace
+{
+
+int Number = 1;
+const ChildWork ChangeMemory("change memory",
+  []
+  {
+    Number = 2;
+    return false;
+  });
+const ChildWork BeKilled("be killed", [] { return std::raise(SIGKILL) != 0; });
+const ChildWork IgnoreSignals("ignore signals",
+  []
+  {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_SETMASK, &all, nullptr);
+    std::signal(SIGALRM, SIG_IGN);
+    std::signal(SIGPROF, SIG_IGN);
+    return EndOf(ByClock(0.2), Hang) == "took longer than 0.2 s" &&
+      EndOf(ByProcessor(0.2), ComputeForever) == "took longer than 0.2 s of processor time";
+  });
+
+} // namespace
+
+// Changes that the work makes to memory are lost.
+TEST_F(ChildProcess, LeavesMemoryUnchanged)
+{
+  EXPECT_EQ(EndOf({}, ChangeMemory), "failed");
+  EXPECT_EQ(Number, 1);
+}
+
+// Limits hold even if the host blocks or ignores the signals that enforce them, as thread pools do.
+TEST_F(ChildProcess, HoldsLimitsAgainstIgnoredSignals)
+{
+  EXPECT_EQ(EndOf({}, IgnoreSignals), "");
+}
+
+#ifndef __SANITIZE_ADDRESS__ // the sanitizer reserves more address space than any limit
+namespace
+{
+
+const ChildWork TakeMemory("take memory",
+  []
+  {
+    const std::vector<char> much(std::size_t(1) << 30, 1);
+    return much.size() > 1;
+  });
+
+} // namespace
+
+// Work that exceeds the limit on memory fails with a message.
+TEST_F(ChildProcess, LimitsMemory)
+{
+  EXPECT_EQ(EndOf(ByMemory(256.0), TakeMemory), "ran out of memory");
+}
+#endif
+
+// An end by the signal that the system sends when memory runs out is one by a limit.
+TEST_F(ChildProcess, TakesAKillForALimit)
+{
+  const Ending ending = RunInChildProcess({}, BeKilled.Get());
+  EXPECT_EQ(ending.Mistake, "was killed");
+  EXPECT_TRUE(ending.ByLimit);
+}

@@ -6,6 +6,8 @@
 # the last commit of this checkout there and runs COMMAND in it, by default 'bash Testing/run.sh'. Needs root.
 #
 # A system that exists is used again, with its packages and its build folder. To start anew, delete it.
+#
+# The exit status is COMMAND's, or 77 if no system can be made here.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
@@ -13,16 +15,22 @@ usage="usage: bash Testing/run_on.sh bookworm|trixie [COMMAND]"
 [ $# -eq 1 ] || [ $# -eq 2 ] || die "$usage"
 release=$1
 command=${2:-bash Testing/run.sh}
+
+cannot() {
+  printf '%s\n' "$*" >&2
+  exit 77
+}
+
 [ "$release" = bookworm ] || [ "$release" = trixie ] || die "$usage"
-[ "$(id -u)" -eq 0 ] || die "Only root can make a system and run commands in it: sudo bash Testing/run_on.sh $*"
-command -v debootstrap >/dev/null || die "debootstrap was not found. Install it first: apt-get install debootstrap"
-commit=$(git -C "$root" rev-parse --short HEAD) || die "$root is not a checkout of git, from which files could be copied."
+[ "$(id -u)" -eq 0 ] || cannot "Only root can make a system and run commands in it: sudo bash Testing/run_on.sh $*"
+command -v debootstrap >/dev/null || cannot "debootstrap was not found. Install it first: apt-get install debootstrap"
+commit=$(git -C "$root" rev-parse --short HEAD) || cannot "$root is not a checkout of git, from which files could be copied."
 
 # Mounts and processes of a namespace end with its first process, however that ends. So nothing stays mounted below a
 # folder that somebody may delete.
 isolated=(unshare --mount --propagation private --pid --fork --kill-child)
-"${isolated[@]}" true ||
-  die "This process may not make namespaces, in which the other system's folders are mounted (in a container: privileged?)."
+"${isolated[@]}" mount -t proc proc /proc ||
+  cannot "This process may not make namespaces, in which the other system's folders are mounted (in a container: privileged?)."
 
 system=$build_root/roots/$release
 if [ ! -e "$system" ]; then
@@ -32,7 +40,7 @@ if [ ! -e "$system" ]; then
   rm -rf "$system.part"
   mkdir -p "$system.part"
   "${isolated[@]}" debootstrap --variant=minbase "$release" "$system.part" "${mirror:-http://deb.debian.org/debian}" \
-    >"$log" 2>&1 || { tail -n 20 "$log" >&2; die "debootstrap failed; the whole log is $log"; }
+    >"$log" 2>&1 || { tail -n 20 "$log" >&2; cannot "debootstrap failed; the whole log is $log"; }
   mv "$system.part" "$system"
 fi
 

@@ -12,7 +12,8 @@ build_packages=(
   ca-certificates ccache cmake g++ libcgal-dev libgmp-dev libmpfr-dev libtet1.5-dev libvtk9-dev
   libx11-dev ninja-build zlib1g-dev)
 picture_packages=(libgl1-mesa-dri python3 python3-vtk9 xauth xvfb)
-test_packages=(clang clang-format libclang-rt-dev libgtest-dev python3-numpy)
+test_packages=(
+  clang clang-format g++-mingw-w64-x86-64-posix libclang-rt-dev libgtest-dev python3-numpy)
 # python3-paraview conflicts with python3-vtk9 and is not installed: paraview_prefix.sh unpacks it elsewhere.
 # ParaView parses its files with libexpat1.
 paraview_packages=(
@@ -56,12 +57,13 @@ install_packages() {
 # require_packages PACKAGE...: installs missing packages and, once a day, upgrades outdated ones: an old library may
 # hide problems that users of the current version have. Offline, the installed versions are used.
 require_packages() {
-  local package missing=() old=() today=$build_root/.packages-of-today
+  local package missing=() old=() today
+  today=$build_root/.packages-of-today-$(cksum <<<"$*" | cut -d ' ' -f 1)
   command -v dpkg-query >/dev/null || die "This script is for Debian 12 and 13. Elsewhere, follow 'Building by hand' in README.md."
   for package in "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
   done
-  if [ ${#missing[@]} -eq 0 ] && [ "$(find "$today" -mtime -1 -exec cat {} + 2>/dev/null)" = "$*" ]; then
+  if [ ${#missing[@]} -eq 0 ] && [ -n "$(find "$today" -mtime -1 2>/dev/null)" ]; then
     return
   fi
   say "Looking for packages to install or upgrade"
@@ -76,16 +78,17 @@ require_packages() {
   if [ ${#old[@]} -gt 0 ] && ! install_packages "${old[@]}"; then
     today=/dev/null
   fi
-  printf '%s' "$*" >"$today"
+  : >"$today"
 }
 
-# build NAME [CMAKE_OPTION...]: configures and builds everything, or only $targets, in a folder of that name.
+# build NAME [CMAKE_OPTION...]: configures and builds everything, or only $targets, of the project or of the folder
+# $source, in a folder of that name.
 build() {
   local directory=$build_root/$1 log=$build_root/$1.log
   shift
   say "Building in $directory"
   {
-    cmake -S "$root" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
+    cmake -S "${source:-$root}" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
       ninja -C "$directory" ${targets:-}
   } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; the whole log is $log"; }
 }

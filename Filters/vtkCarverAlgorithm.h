@@ -254,8 +254,9 @@ public:
   /**
    * The treatment of a mesh that TetGen cannot tetrahedralize. Without effect on contours.
    * - EXACT: TetGen is tried with two orders of the points and triangles. If M does not cross
-   *   itself, its triangles are recovered in a Delaunay tetrahedralization in between, with
-   *   vertices off M where that is necessary. If M is closed, TetGen is then tried without the
+   *   itself, its triangles are recovered in a Delaunay tetrahedralization in between, or before if
+   *   that promises to be faster (see Strategy), with vertices off M where that is necessary. If M
+   *   is closed, TetGen is then tried without the
    *   triangles that have solid on both sides, which no level shows. The next attempts add vertices
    *   on the triangles, at most 10 for each of M's own, plus 100,000, and may cut the parts of a
    *   triangle in another way. If all attempts fail, the result is an error. The last level is M.
@@ -283,8 +284,10 @@ public:
    * - RECOVER: recovery in a Delaunay tetrahedralization alone. TetGen is not run. A mesh that does
    *   not cross itself is mostly met as a whole, and no vertex is added on its triangles; where
    *   crossings had to be resolved, recovery mostly fails.
-   * - AUTO (default): TetGen and, on a mesh that does not cross itself, recovery where TetGen's
-   *   first attempt fails.
+   * - AUTO (default): both on a mesh that does not cross itself, TetGen alone on others. Recovery
+   *   comes first where it takes half of TetGen's time: on meshes of well-shaped triangles, such as
+   *   scans, most of whose triangles a Delaunay tetrahedralization has anyway. Elsewhere it follows
+   *   where TetGen's first attempt fails.
    */
   vtkSetClampMacro(Strategy, int, TETGEN, AUTO);
   vtkGetMacro(Strategy, int);

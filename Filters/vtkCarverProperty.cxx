@@ -45,8 +45,8 @@ std::vector<vtkCarverProperty> MakeProperties()
       "mesh itself. auto: exact, and enclosing where exact fails." },
     { NAMED(Strategy), { "TETGEN", "RECOVER", "AUTO" }, 0, 0, NotStored,
       "How the mesh's triangles become faces of tetrahedra: by TetGen, by recovery in a Delaunay "
-      "tetrahedralization, or by TetGen and, where it fails on a mesh that does not cross itself, "
-      "by recovery." },
+      "tetrahedralization, or by both: recovery first where it is faster, or else where TetGen "
+      "fails, on meshes that do not cross themselves." },
     { NAMED(EnclosingTolerance), NoChoices, 0.0, 1.0, Stored,
       "The distance that the uncarvable tetrahedra may reach from a mesh that is only enclosed, as "
       "a share of the mesh's diagonal. Vertices are added until the limit holds. 0: no vertex is "

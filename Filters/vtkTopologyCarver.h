@@ -52,9 +52,9 @@
  *
  * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, order 1" and so on; "TetGen -pcY,
  * without interior" if triangles inside the solid were left out, which the stream then lacks;
- * "Delaunay, recovery" if TetGen failed and vertices may have been added off the triangles;
- * "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points were
- * moved; and "Delaunay, enclosing".
+ * "Delaunay, recovery" if TetGen failed or was not needed and vertices may have been added off the
+ * triangles; "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points
+ * were moved; and "Delaunay, enclosing".
  *
  * **Topology.** K_i is the union of M, the solid and all tetrahedra that are not carved before or
  * at step i. It is a closed set. `Components` is the number of connected components of K_i, where a

@@ -153,11 +153,31 @@ TriangleMesh Sheet(int n)
   return mesh;
 }
 
+TriangleMesh CloseSpheres()
+{
+  const TriangleMesh sphere = Sphere(3);
+  TriangleMesh turned = Flipped(Moved(sphere, {}, 0.99));
+  for (Point& p : turned.Points)
+  {
+    p = { 0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2] };
+  }
+  return Joined(sphere, Joined(turned, Moved(sphere, {}, 0.98)));
+}
+
 TriangleMesh Moved(TriangleMesh mesh, const Point& translation, double scale)
 {
   for (Point& p : mesh.Points)
   {
     p = scale * p + translation;
+  }
+  return mesh;
+}
+
+TriangleMesh Sheared(TriangleMesh mesh)
+{
+  for (Point& p : mesh.Points)
+  {
+    p[0] += 2.0 * p[2];
   }
   return mesh;
 }

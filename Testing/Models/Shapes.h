@@ -18,6 +18,8 @@ TriangleMesh Tetrahedron();
 TriangleMesh Box(const carving::Point& lower, const carving::Point& upper);
 /** A unit sphere: an icosahedron whose triangles are split into four, `subdivisions` times. */
 TriangleMesh Sphere(int subdivisions);
+/** Three spheres, one in the other, much closer to each other than their points. */
+TriangleMesh CloseSpheres();
 /** A torus around the z axis: n x m quadrilaterals, split in two. */
 TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m);
 /**
@@ -29,6 +31,8 @@ TriangleMesh BumpyTorus(int points);
 TriangleMesh Sheet(int n);
 
 TriangleMesh Moved(TriangleMesh mesh, const carving::Point& translation, double scale = 1.0);
+/** The mesh with each point moved along x by twice its z. */
+TriangleMesh Sheared(TriangleMesh mesh);
 /** The mesh with the opposite orientation. */
 TriangleMesh Flipped(TriangleMesh mesh);
 /** The triangles of both meshes; points are not merged. */

@@ -6,7 +6,6 @@
 #include "Helper/Attempts/Shuffle.h"
 #include "Helper/Base/GrownBox.h"
 #include "Helper/Exact/InitialSurface.h"
-#include "Helper/Recovery/RecoverAll.h"
 
 #include <chrono>
 
@@ -51,16 +50,22 @@ bool Attempts::TryInChild(const std::string& attempt, const std::string& subject
   return ending.Mistake.empty();
 }
 
+bool Attempts::TryOrder(const std::string& strategy, int order, SurfacePoints surfacePoints,
+  const std::function<bool()>& meanwhile)
+{
+  this->TheReply.Strategy = strategy + (order == 0 ? "" : ", order " + std::to_string(order));
+  const Limits limits =
+    LimitsOfAttempt(this->TheJob, surfacePoints, this->TheReply.Result.Surface.Facets.size());
+  return this->TryInChild(this->TheReply.Strategy + ": ", "TetGen ", limits,
+    { Task::Goal::Ordered, order, surfacePoints }, meanwhile);
+}
+
 bool Attempts::TryOrders(
   const std::string& strategy, int first, int last, SurfacePoints surfacePoints)
 {
-  const Limits limits =
-    LimitsOfAttempt(this->TheJob, surfacePoints, this->TheReply.Result.Surface.Facets.size());
   for (int order = first; order < last; ++order)
   {
-    this->TheReply.Strategy = strategy + (order == 0 ? "" : ", order " + std::to_string(order));
-    if (this->TryInChild(this->TheReply.Strategy + ": ", "TetGen ", limits,
-          { Task::Goal::Ordered, order, surfacePoints }))
+    if (this->TryOrder(strategy, order, surfacePoints))
     {
       return true;
     }
@@ -68,23 +73,17 @@ bool Attempts::TryOrders(
   return false;
 }
 
-bool Attempts::TryUnresolved(const std::string& strategy, const std::function<bool()>& isResolved)
+bool Attempts::TryRecovery(RecoveryEffort effort, const std::function<bool()>& meanwhile)
 {
-  this->TheReply.Strategy = strategy;
-  bool resolved = false;
+  this->TheReply.Strategy = "Delaunay, recovery";
   const Limits limits =
     LimitsOfAttempt(this->TheJob, SurfacePoints::None, this->TheReply.Result.Surface.Facets.size());
-  const bool written = this->TryInChild(strategy + ": ", "TetGen ", limits,
-    { Task::Goal::Ordered, 0, SurfacePoints::None }, [&] { return resolved = isResolved(); });
-  if (!resolved)
-  {
-    this->TheReply.Strategy.clear();
-    this->Failures.Clear();
-  }
-  return written;
+  const auto goal =
+    effort == RecoveryEffort::Little ? Task::Goal::QuicklyRecovered : Task::Goal::Recovered;
+  return this->TryInChild(this->TheReply.Strategy + ": ", "", limits, { goal }, meanwhile);
 }
 
-bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
+bool Attempts::RunTetGen(int order, SurfacePoints surfacePoints)
 {
   this->Host.Begin(Stage::Tetrahedralize);
   Tetrahedralization& result = this->TheReply.Result;
@@ -93,21 +92,12 @@ bool Attempts::TryOrder(int order, SurfacePoints surfacePoints)
     Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result));
 }
 
-bool Attempts::TryRecovery()
+bool Attempts::RunRecovery(RecoveryEffort effort)
 {
-  const Limits limits =
-    LimitsOfAttempt(this->TheJob, SurfacePoints::None, this->TheReply.Result.Surface.Facets.size());
-  this->TheReply.Strategy = "Delaunay, recovery";
-  return this->TryInChild(
-    this->TheReply.Strategy + ": ", "", limits, { Task::Goal::Recovered, 0, SurfacePoints::None });
-}
-
-bool Attempts::Recover()
-{
-  Tetrahedralization& result = this->TheReply.Result;
   this->Host.Begin(Stage::Tetrahedralize);
+  Tetrahedralization& result = this->TheReply.Result;
   return this->WriteExact(
-    RecoverAll(this->FurtherPoints(result.Surface.Points), this->Host.Report, result));
+    RecoverAll(this->FurtherPoints(result.Surface.Points), effort, this->Host.Report, result));
 }
 
 /** Writes the result of an attempt at the resolved mesh, or records why there is none. */

@@ -10,6 +10,7 @@
 #include "Helper/Attempts/Log.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Attempts/Task.h"
+#include "Helper/Recovery/RecoverAll.h"
 
 namespace carving::helper
 {
@@ -36,23 +37,18 @@ protected:
   bool TryInChild(const std::string& attempt, const std::string& subject, const Limits& limits,
     const Task& task, const std::function<bool()>& meanwhile = {});
 
-  /** Tries TetGen on the resolved mesh in the orders from `first` to the one before `last`. */
+  /** Tries TetGen on the resolved mesh in one order; `meanwhile` as for TryInChild. */
+  bool TryOrder(const std::string& strategy, int order, SurfacePoints surfacePoints,
+    const std::function<bool()>& meanwhile = {});
+
+  /** Tries the orders from `first` to the one before `last`. */
   bool TryOrders(const std::string& strategy, int first, int last, SurfacePoints surfacePoints);
 
-  /**
-   * Tries TetGen in the given order on a mesh that is not known to be resolved. `isResolved` is
-   * called meanwhile; if it returns false, the attempt leaves no trace.
-   */
-  bool TryUnresolved(const std::string& strategy, const std::function<bool()>& isResolved);
-
-  /** Tries TetGen on the resolved mesh in one order, in this process. */
-  bool TryOrder(int order, SurfacePoints surfacePoints);
-
-  /** Tries recovery on the resolved mesh. */
-  bool TryRecovery();
-
-  /** Does the same in this process. */
-  bool Recover();
+  /** Tries recovery on the resolved mesh; `meanwhile` as for TryInChild. */
+  bool TryRecovery(RecoveryEffort effort, const std::function<bool()>& meanwhile = {});
+  // Do the same in this process:
+  bool RunTetGen(int order, SurfacePoints surfacePoints);
+  bool RunRecovery(RecoveryEffort effort);
 
   bool WriteResult();
 

@@ -9,6 +9,7 @@
 #include "Helper/Exact/InitialSurface.h"
 #include "Helper/Exact/Tetrahedralize.h"
 #include "Helper/Recovery/Enclose.h"
+#include "Helper/Recovery/NearDelaunay.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Interior.h"
 #include "Helper/Resolve/Intersections.h"
@@ -77,6 +78,8 @@ public:
 
 private:
   bool TryExact();
+  bool MayRecover() const;
+  bool TryFirst(const std::function<bool()>& isResolved = {});
   bool TrySnapped();
   bool TryGrid(const ResolvedMesh& given, double tolerance, double spacing);
   bool TryEnclosing();
@@ -136,10 +139,12 @@ bool StrategyRun::Do(const Task& task)
       return this->TrySnapped();
     case Task::Goal::Enclosing:
       return this->TryEnclosing();
+    case Task::Goal::QuicklyRecovered:
+      return this->RunRecovery(RecoveryEffort::Little);
     case Task::Goal::Recovered:
-      return this->Recover();
+      return this->RunRecovery(RecoveryEffort::Much);
     case Task::Goal::Ordered:
-      return this->TryOrder(task.Order, task.Points);
+      return this->RunTetGen(task.Order, task.Points);
   }
   return false;
 }
@@ -154,26 +159,26 @@ bool StrategyRun::TryExact()
     pairs = FindIntersections(surface.Points, surface.Facets);
     return pairs.empty();
   };
-  // Without a report: the progress is that of TetGen, which runs meanwhile.
+  // Without a report: the progress is that of the attempt that runs meanwhile.
   const auto findMeanwhile = [&]
   {
     const auto start = std::chrono::steady_clock::now();
-    const bool resolved = findPairs();
+    const bool isResolved = findPairs();
     this->TheReply.StageSeconds[static_cast<int>(Stage::Resolve)] += SecondsSince(start);
-    return resolved;
+    return isResolved;
   };
-  // Few meshes cross themselves. So TetGen need not wait for the search if a processor is free.
+  // Few meshes cross themselves. So the search need not come first if a processor is free.
   const bool early = this->TheJob.Processes > 1 && !this->IsCustom && !this->IsRecovery;
-  if (early && this->TryUnresolved("TetGen -pcY", findMeanwhile))
+  if (early && this->TryFirst(findMeanwhile))
   {
     return true;
   }
+  const bool hasTried = early && pairs.empty();
   this->Host.Begin(Stage::Resolve);
   if (!early)
   {
     findPairs();
   }
-  const int firstOrder = early && pairs.empty() ? 1 : 0;
   this->TheReply.IntersectingPairs = static_cast<int>(pairs.size());
   const std::string mistake = ResolvePairs(surface, std::move(pairs), this->Host.Report,
     MaximumPairs(this->TheJob, surface.Facets.size()));
@@ -193,21 +198,59 @@ bool StrategyRun::TryExact()
   }
   if (this->IsRecovery)
   {
-    return this->TryRecovery();
+    return this->TryRecovery(RecoveryEffort::Much);
   }
-  // Recovery leaves too many triangles of a mesh whose crossings have been resolved.
-  const bool mayRecover =
-    this->TheJob.Strategy == Strategy::Auto && this->TheReply.IntersectingPairs == 0;
-  if (this->TryOrders("TetGen -pcY", firstOrder, 1, SurfacePoints::None))
+  if (!hasTried && this->TryFirst())
   {
     return true;
   }
+  const auto tryRecovery = [this]
+  { return this->MayRecover() && this->TryRecovery(RecoveryEffort::Much); };
   // TetGen comes to its end on most meshes of which another order loses no triangle.
-  const bool recoverFirst = mayRecover && !this->HasFinished;
-  return (recoverFirst && this->TryRecovery()) ||
+  const bool recoverFirst = !this->HasFinished;
+  return (recoverFirst && tryRecovery()) ||
     this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||
-    (mayRecover && !recoverFirst && this->TryRecovery()) || this->TryWithoutInterior() ||
+    (!recoverFirst && tryRecovery()) || this->TryWithoutInterior() ||
     this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
+}
+
+/** Recovery leaves too many triangles of a mesh whose crossings have been resolved. */
+bool StrategyRun::MayRecover() const
+{
+  return this->TheJob.Strategy == Strategy::Auto && this->TheReply.IntersectingPairs == 0;
+}
+
+/**
+ * Tries the fastest attempts. If `isResolved`, which is called meanwhile, returns false, they leave
+ * no trace.
+ */
+bool StrategyRun::TryFirst(const std::function<bool()>& isResolved)
+{
+  bool resolved = true;
+  std::function<bool()> meanwhile;
+  if (isResolved)
+  {
+    meanwhile = [&] { return resolved = isResolved(); };
+  }
+  if (this->MayRecover() && IsNearDelaunay(this->TheReply.Result.Surface))
+  {
+    if (this->TryRecovery(RecoveryEffort::Little, meanwhile))
+    {
+      return true;
+    }
+    this->Failures.Clear(); // it took little time, and users need not know of it
+    meanwhile = {};
+  }
+  if (resolved && this->TryOrder("TetGen -pcY", 0, SurfacePoints::None, meanwhile))
+  {
+    return true;
+  }
+  if (!resolved)
+  {
+    this->TheReply.Strategy.clear();
+    this->Failures.Clear();
+  }
+  return false;
 }
 
 /** Tries M with its points moved, on ever finer grids. */
@@ -258,7 +301,7 @@ bool StrategyRun::TryGrid(const ResolvedMesh& given, double tolerance, double sp
   this->TheReply.IntersectingPairs = snapped.IntersectingPairs;
   this->TheReply.SnapDistance = snapped.Distance;
   return this->IsRecovery
-    ? this->TryRecovery()
+    ? this->TryRecovery(RecoveryEffort::Much)
     : this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None);
 }
 

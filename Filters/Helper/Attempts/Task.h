@@ -19,11 +19,12 @@ struct Task
 {
   enum class Goal : int
   {
-    Exact,     ///< all attempts at M
-    Snapped,   ///< all attempts at M with its points moved
-    Enclosing, ///< the enclosing tetrahedralization
-    Recovered, ///< recovery on the resolved mesh
-    Ordered    ///< TetGen on the resolved mesh in one order
+    Exact,            ///< all attempts at M
+    Snapped,          ///< all attempts at M with its points moved
+    Enclosing,        ///< the enclosing tetrahedralization
+    QuicklyRecovered, ///< recovery on the resolved mesh with little effort
+    Recovered,        ///< the same with much effort
+    Ordered           ///< TetGen on the resolved mesh in one order
   };
 
   Goal What = Goal::Exact;

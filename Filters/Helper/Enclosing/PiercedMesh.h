@@ -62,6 +62,9 @@ public:
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 
+  /** The parts that are no faces, in ascending order. */
+  std::vector<int> FindMissing() const;
+
   /** The tetrahedra that a part pierces, or a face of which it overlaps in an area. */
   std::vector<Cell> FindCells(int part);
 

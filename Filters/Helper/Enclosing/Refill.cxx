@@ -55,6 +55,36 @@ bool PiercedMesh::IsFace(int part) const
     this->Vertices[corners[2]], cell, i, j, k);
 }
 
+std::vector<int> PiercedMesh::FindMissing() const
+{
+  const auto& parts = this->Parts.GetParts();
+  std::vector<char> isFace(parts.size(), 0);
+  // Contacts tell faster than a search for each part.
+  for (const Cell cell : this->Mesh.finite_cell_handles())
+  {
+    for (const auto& [part, how] : cell->info().All)
+    {
+      const Triangle& corners = parts[part].Corners;
+      isFace[part] |= how.Face >= 0 &&
+        std::all_of(corners.begin(), corners.end(),
+          [&](int corner)
+          {
+            const Vertex v = this->Vertices[corner];
+            return cell->has_vertex(v) && cell->vertex(how.Face) != v;
+          });
+    }
+  }
+  std::vector<int> missing;
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    if (parts[part].Parent >= 0 && !isFace[part])
+    {
+      missing.push_back(part);
+    }
+  }
+  return missing;
+}
+
 std::vector<PiercedMesh::Cell> PiercedMesh::FindCells(int a, int b)
 {
   const Vertex from = this->Vertices[a], to = this->Vertices[b];

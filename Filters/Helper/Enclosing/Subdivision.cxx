@@ -22,14 +22,28 @@ double Cotangent(const Point& apex, const Point& a, const Point& b)
 Subdivision::Subdivision(const ResolvedMesh& input)
   : Points(input.Points)
 {
-  Change change;
-  for (std::size_t t = 0; t < input.Facets.size(); ++t)
+  for (const Triangle& c : input.Facets)
   {
-    const Triangle& c = input.Facets[t];
     this->Normals.push_back(
       Cross(this->Points[c[1]] - this->Points[c[0]], this->Points[c[2]] - this->Points[c[0]]));
-    this->Make(c, static_cast<int>(t), change);
+    this->Parts.push_back({ c, static_cast<int>(this->Parts.size()) });
   }
+}
+
+Subdivision::EdgeMap& Subdivision::GetPartsOfEdge() const
+{
+  if (this->PartsOfEdge.empty())
+  {
+    for (int part = 0; part < static_cast<int>(this->Parts.size()); ++part)
+    {
+      const Triangle& corners = this->Parts[part].Corners;
+      for (int i = 0; i < 3; ++i)
+      {
+        this->PartsOfEdge[Key(corners[i], corners[(i + 1) % 3])].push_back(part);
+      }
+    }
+  }
+  return this->PartsOfEdge;
 }
 
 int Subdivision::AddPoint(const Point& p)
@@ -56,7 +70,7 @@ Subdivision::Change Subdivision::SplitEdge(int a, int b, int vertex)
 {
   Change change;
   std::vector<int> made;
-  const std::vector<int> parts = this->PartsOfEdge.at(Key(a, b));
+  const std::vector<int> parts = this->GetPartsOfEdge().at(Key(a, b));
   for (const int part : parts)
   {
     const Part old = this->Parts[part];
@@ -87,10 +101,11 @@ std::uint64_t Subdivision::Key(int a, int b)
 int Subdivision::Make(const Triangle& corners, int parent, Change& change)
 {
   const int part = static_cast<int>(this->Parts.size());
+  EdgeMap& partsOfEdge = this->GetPartsOfEdge();
   this->Parts.push_back({ corners, parent });
   for (int i = 0; i < 3; ++i)
   {
-    this->PartsOfEdge[Key(corners[i], corners[(i + 1) % 3])].push_back(part);
+    partsOfEdge[Key(corners[i], corners[(i + 1) % 3])].push_back(part);
   }
   change.Made.push_back(part);
   return part;
@@ -99,14 +114,15 @@ int Subdivision::Make(const Triangle& corners, int parent, Change& change)
 void Subdivision::Remove(int part, Change& change)
 {
   const Triangle& corners = this->Parts[part].Corners;
+  EdgeMap& partsOfEdge = this->GetPartsOfEdge();
   for (int i = 0; i < 3; ++i)
   {
-    const auto edge = this->PartsOfEdge.find(Key(corners[i], corners[(i + 1) % 3]));
+    const auto edge = partsOfEdge.find(Key(corners[i], corners[(i + 1) % 3]));
     std::vector<int>& parts = edge->second;
     parts.erase(std::find(parts.begin(), parts.end(), part));
     if (parts.empty())
     {
-      this->PartsOfEdge.erase(edge);
+      partsOfEdge.erase(edge);
     }
   }
   this->Parts[part].Parent = -1;
@@ -120,7 +136,7 @@ Subdivision::Quad Subdivision::GetQuad(int part, int i) const
   quad.Apex = corners[i];
   quad.A = corners[(i + 1) % 3];
   quad.B = corners[(i + 2) % 3];
-  const std::vector<int>& parts = this->PartsOfEdge.at(Key(quad.A, quad.B));
+  const std::vector<int>& parts = this->GetPartsOfEdge().at(Key(quad.A, quad.B));
   if (parts.size() != 2)
   {
     return quad;

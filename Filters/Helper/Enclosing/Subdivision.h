@@ -97,7 +97,10 @@ private:
     bool Convex;
   };
 
+  using EdgeMap = std::unordered_map<std::uint64_t, std::vector<int>>;
+
   static std::uint64_t Key(int a, int b);
+  EdgeMap& GetPartsOfEdge() const;
   int Make(const Triangle& corners, int parent, Change& change);
   void Remove(int part, Change& change);
   Quad GetQuad(int part, int i) const;
@@ -108,7 +111,8 @@ private:
   std::vector<Point> Points;
   std::vector<Part> Parts;
   std::vector<Point> Normals; ///< of the triangles of M
-  std::unordered_map<std::uint64_t, std::vector<int>> PartsOfEdge;
+  /** Filled when it is first needed: a mesh whose parts are not split does without. */
+  mutable EdgeMap PartsOfEdge;
 };
 
 template <class AreFaces>

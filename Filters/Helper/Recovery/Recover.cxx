@@ -349,14 +349,11 @@ bool Recoverer::TryPart(int part, const Pass& pass)
 std::size_t Recover(
   PiercedMesh& mesh, const RecoveryLimits& limits, const std::function<bool(double)>& progress)
 {
-  std::vector<int> missing;
+  std::vector<int> missing = mesh.FindMissing();
   const auto& parts = mesh.GetParts().GetParts();
-  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  if (static_cast<double>(missing.size()) > limits.MissingShare * static_cast<double>(parts.size()))
   {
-    if (parts[part].Parent >= 0 && !mesh.IsFace(part))
-    {
-      missing.push_back(part);
-    }
+    return missing.size();
   }
   Recoverer recoverer(mesh, limits);
   const int passes = limits.MayAddPoints ? NumberOfPasses : NumberWithoutPoints;

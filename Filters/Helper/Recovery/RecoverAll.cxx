@@ -9,14 +9,26 @@
 namespace carving::helper
 {
 
-Ending RecoverAll(const std::vector<Point>& further, const std::function<bool(double)>& progress,
-  Tetrahedralization& result)
+namespace
+{
+
+RecoveryLimits MakeLimits(RecoveryEffort effort, std::size_t numberOfFacets)
+{
+  const auto facets = static_cast<std::ptrdiff_t>(numberOfFacets);
+  return effort == RecoveryEffort::Little
+    ? RecoveryLimits{ 1000000 + 100 * facets, true, 0.1 }
+    : RecoveryLimits{ 5000000 + 1000 * facets, true }; // they take seconds
+}
+
+} // namespace
+
+Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
+  const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
   const std::size_t facets = result.Surface.Facets.size();
   PiercedMesh mesh(result.Surface, further, [&](double done) { return progress(done / 2.0); });
-  const auto steps = 5000000 + 1000 * static_cast<std::ptrdiff_t>(facets); // they take seconds
-  const std::size_t missing =
-    Recover(mesh, { steps, true }, [&](double done) { return progress((1.0 + done) / 2.0); });
+  const std::size_t missing = Recover(
+    mesh, MakeLimits(effort, facets), [&](double done) { return progress((1.0 + done) / 2.0); });
   if (missing > 0)
   {
     return { "recovery lacks " + std::to_string(missing) + " of " + std::to_string(facets) +

@@ -11,6 +11,13 @@
 namespace carving::helper
 {
 
+/** How much work recovery may take: little suffices for a mesh that is nearly Delaunay. */
+enum class RecoveryEffort
+{
+  Little,
+  Much
+};
+
 /**
  * A tetrahedralization of the convex hull of a resolved mesh and of further points in which every
  * triangle is a face, by recovery in a Delaunay tetrahedralization.
@@ -18,8 +25,8 @@ namespace carving::helper
  * `result.Surface` is the mesh; the other members are filled, and the further points and the points
  * that recovery adds are appended to its points. On failure, `result` is as it was.
  */
-Ending RecoverAll(const std::vector<Point>& further, const std::function<bool(double)>& progress,
-  Tetrahedralization& result);
+Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
+  const std::function<bool(double)>& progress, Tetrahedralization& result);
 
 } // namespace carving::helper
 

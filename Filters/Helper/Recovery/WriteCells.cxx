@@ -14,6 +14,9 @@ void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
   {
     cell->info().Index = count++;
   }
+  result.Cells.reserve(count);
+  result.Neighbors.reserve(count);
+  result.Constraints.reserve(count);
   for (const PiercedMesh::Cell cell : delaunay.finite_cell_handles())
   {
     auto& corners = result.Cells.emplace_back();

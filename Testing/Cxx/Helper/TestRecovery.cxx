@@ -7,6 +7,7 @@
 #include "Helper/Base/Kernels.h"
 #include "Helper/Exact/Hull.h"
 #include "Helper/Recovery/Filling.h"
+#include "Helper/Recovery/NearDelaunay.h"
 #include "Helper/Recovery/RecoverAll.h"
 #include "Helper/Resolve/Clean.h"
 #include "RandomModels.h"
@@ -56,14 +57,18 @@ void ExpectExact(const Tetrahedralization& mesh)
   EXPECT_EQ(std::count(found.begin(), found.end(), 0), 0);
 }
 
-Tetrahedralization Recovered(const TriangleMesh& given)
+std::string Recover(RecoveryEffort effort, Tetrahedralization& mesh)
+{
+  const auto progress = [](double) { return true; };
+  return RecoverAll({}, effort, progress, mesh).Mistake;
+}
+
+Tetrahedralization Recovered(
+  const TriangleMesh& given, RecoveryEffort effort = RecoveryEffort::Much)
 {
   Tetrahedralization mesh;
   mesh.Surface = Resolved(given);
-  EXPECT_EQ(RecoverAll(
-              {}, [](double) { return true; }, mesh)
-              .Mistake,
-    "");
+  EXPECT_EQ(Recover(effort, mesh), "");
   return mesh;
 }
 
@@ -96,6 +101,30 @@ TEST(Recovery, SwapsDiagonalsOfTheHull)
   }
 }
 
+// Meshes of well-shaped triangles are near Delaunay, and little effort meets them. After a shear,
+// which makes angles obtuse, they are not.
+TEST(Recovery, TakesLittleEffortNearDelaunay)
+{
+  const TriangleMesh sphere = models::Sphere(4);
+  const TriangleMesh model = models::Joined(sphere, models::Moved(sphere, { 3.0, 1.0, 0.0 }));
+  EXPECT_TRUE(IsNearDelaunay(Resolved(model)));
+  ExpectExact(Recovered(model, RecoveryEffort::Little));
+  EXPECT_FALSE(IsNearDelaunay(Resolved(models::Sheared(model))));
+}
+
+// With little effort, recovery gives up on sheets closer to each other than their points, and says
+// how many triangles it lacks.
+TEST(Recovery, GivesUpEarlyWithLittleEffort)
+{
+  const ResolvedMesh given = Resolved(models::CloseSpheres());
+  EXPECT_TRUE(IsNearDelaunay(given));
+  Tetrahedralization mesh;
+  mesh.Surface = given;
+  EXPECT_EQ(Recover(RecoveryEffort::Little, mesh).find("recovery lacks "), 0u);
+  EXPECT_TRUE(mesh.Cells.empty());
+  EXPECT_EQ(mesh.Surface.Points, given.Points);
+}
+
 // Recovery either meets a random mesh exactly or says how many triangles it lacks.
 TEST(Recovery, MeetsRandomMeshes)
 {
@@ -107,9 +136,7 @@ TEST(Recovery, MeetsRandomMeshes)
     SCOPED_TRACE("mesh " + std::to_string(i));
     Tetrahedralization mesh;
     mesh.Surface = Resolved(models::MakeRandom(random).Mesh);
-    if (RecoverAll(
-          {}, [](double) { return true; }, mesh)
-          .Mistake.empty())
+    if (Recover(RecoveryEffort::Much, mesh).empty())
     {
       ++met;
       ExpectExact(mesh);

@@ -129,14 +129,14 @@ StrategyHost WritingHost(const Reply& reply, Messages& lines)
 constexpr const char* Lines = "lines";
 
 /**
- * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time. Returns the lines
- * that the named writing gives.
+ * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time, sheared, so that
+ * TetGen comes first. Returns the lines that the named writing gives.
  */
-std::string TryOnSphere(
+std::string TryOnShearedSphere(
   double timeLimit, const std::string& writing, Strategy strategy = Strategy::Auto)
 {
   Job job;
-  job.Mesh = models::Sphere(1);
+  job.Mesh = models::Sheared(models::Sphere(1));
   job.Conformity = Conformity::Auto;
   job.Strategy = strategy;
   job.TimeLimit = timeLimit;
@@ -170,11 +170,30 @@ TEST(Strategies, EndAtTheFirstSuccess)
 {
   for (const Conformity conformity : { Conformity::Exact, Conformity::Auto })
   {
-    const Reply reply = GetReply(MakeJob(models::Sphere(2), conformity));
+    const Reply reply = GetReply(MakeJob(models::Sheared(models::Sphere(2)), conformity));
     EXPECT_EQ(reply.Strategy, "TetGen -pcY");
     EXPECT_EQ(reply.Attempts, "");
     EXPECT_TRUE(reply.Result.Kept.empty());
   }
+}
+
+// Recovery comes first on a mesh near Delaunay, unless crossings have been resolved in it.
+TEST(Strategies, RecoverMeshesNearDelaunayFirst)
+{
+  const TriangleMesh sphere = models::Sphere(2);
+  const Reply clean = GetReply(MakeJob(sphere, Conformity::Auto));
+  EXPECT_EQ(clean.Strategy, "Delaunay, recovery");
+  EXPECT_EQ(clean.Attempts, "");
+  const TriangleMesh crossing = models::Joined(sphere, models::Moved(sphere, { 0.5, 0.2, 0.1 }));
+  EXPECT_EQ(GetReply(MakeJob(crossing, Conformity::Auto)).Strategy, "TetGen -pcY");
+}
+
+// TetGen comes second where recovery with little effort fails, which the reply does not mention.
+TEST(Strategies, TakeTetGenWhereRecoveryGivesUp)
+{
+  const Reply reply = GetReply(MakeJob(models::CloseSpheres(), Conformity::Auto));
+  EXPECT_EQ(reply.Strategy, "TetGen -pcY");
+  EXPECT_EQ(reply.Attempts, "");
 }
 
 // A free processor for the search for crossings changes nothing but the seconds, whether there are
@@ -184,7 +203,7 @@ TEST(Strategies, DoNotDependOnTheNumberOfProcesses)
   std::mt19937_64 random(1);
   for (const TriangleMesh& mesh : { models::Sphere(2),
          models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 0.5, 0.2, 0.1 })),
-         NeedsSplitting(), NeedsEnclosing() })
+         models::CloseSpheres(), NeedsSplitting(), NeedsEnclosing() })
   {
     Job job = MakeJob(mesh, Conformity::Auto);
     Reply one = GetReply(job);
@@ -218,7 +237,7 @@ TEST(Strategies, LeaveRecoveryOutOnRequest)
 {
   for (const Strategy strategy : { Strategy::TetGen, Strategy::Auto })
   {
-    const std::string written = TryOnSphere(0.5, "hang in the first order", strategy);
+    const std::string written = TryOnShearedSphere(0.5, "hang in the first order", strategy);
     EXPECT_EQ(
       written, strategy == Strategy::TetGen ? "TetGen -pcY, order 1\n" : "Delaunay, recovery\n");
   }
@@ -227,7 +246,7 @@ TEST(Strategies, LeaveRecoveryOutOnRequest)
 // Where TetGen finishes but fails, its second order comes before recovery.
 TEST(Strategies, TryAnotherOrderWhereTetGenFinishes)
 {
-  EXPECT_EQ(TryOnSphere(0.0, "fail in the first order"), "TetGen -pcY, order 1\n");
+  EXPECT_EQ(TryOnShearedSphere(0.0, "fail in the first order"), "TetGen -pcY, order 1\n");
 }
 
 // The time of failed attempts is counted by itself.
@@ -297,21 +316,21 @@ TEST(Strategies, EndInEnclosingWhereTetGenFails)
 // The strategy does not depend on the time that the machine spends on other work.
 TEST(Strategies, DoNotCountTheTimeOfOthers)
 {
-  const std::string written = TryOnSphere(0.0, "sleep");
+  const std::string written = TryOnShearedSphere(0.0, "sleep");
   EXPECT_EQ(written, "TetGen -pcY\n");
 }
 
 // An attempt that computes too long is ended, and the reply names the limit.
 TEST(Strategies, EndAttemptsThatComputeTooLong)
 {
-  const std::string written = TryOnSphere(0.0, "compute in the first order");
+  const std::string written = TryOnShearedSphere(0.0, "compute in the first order");
   EXPECT_EQ(written, "Delaunay, recovery, TetGen took longer than 3.008 s of processor time\n\n");
 }
 
 // TimeLimit is by the clock, and the reply names it once, however many attempts it ends.
 TEST(Strategies, EndAttemptsByTheUsersClock)
 {
-  const std::string written = TryOnSphere(0.5, "hang unless enclosing");
+  const std::string written = TryOnShearedSphere(0.5, "hang unless enclosing");
   EXPECT_EQ(written, "TetGen took longer than 0.5 s\n\n");
 }
 

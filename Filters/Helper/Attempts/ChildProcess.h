@@ -45,7 +45,8 @@ struct Work
  * crashes, or that a limit by the clock ends, counts with its time by the clock.
  *
  * This process calls `meanwhile` beside the child. If that returns false, the child is killed unless
- * it has ended, its time is not subtracted, and the mistake is "is not wanted".
+ * it has ended, its time is not subtracted, and the mistake is "is not wanted". If it throws, the
+ * child is killed, too, and the exception passed on.
  */
 Ending RunInChildProcess(
   const Limits& limits, const Work& work, const std::function<bool()>& meanwhile = {});

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <iostream>
 #include <new>
 
@@ -183,7 +184,16 @@ Ending RunInChildProcess(
   {
     RunChild(self, limits, std::min(own, remaining), work.Do);
   }
-  const bool wanted = !meanwhile || meanwhile();
+  bool wanted = false;
+  std::exception_ptr failure;
+  try
+  {
+    wanted = !meanwhile || meanwhile();
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
   if (!wanted)
   {
     kill(child, SIGKILL);
@@ -192,6 +202,10 @@ Ending RunInChildProcess(
   rusage used = {};
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
   {
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
   }
   if (!wanted)
   {

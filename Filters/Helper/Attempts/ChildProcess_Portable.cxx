@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -224,7 +225,16 @@ Ending RunInChildProcess(
   const auto start = std::chrono::steady_clock::now();
   ThisRun.HasChild = true;
   Start(process.get(), ChildCommand(std::min(own, remaining)), limits.Seconds);
-  const bool wanted = !meanwhile || meanwhile();
+  bool wanted = false;
+  std::exception_ptr failure;
+  try
+  {
+    wanted = !meanwhile || meanwhile();
+  }
+  catch (...)
+  {
+    failure = std::current_exception();
+  }
   if (!wanted)
   {
     vtksysProcess_Kill(process.get());
@@ -235,6 +245,10 @@ Ending RunInChildProcess(
   if (!wanted)
   {
     std::remove(used.c_str());
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
     return { NotWanted };
   }
   ChargeProcessorTime(

@@ -228,6 +228,14 @@ TEST_F(ChildProcess, IsKilledWhereNotWanted)
   EXPECT_TRUE(called);
 }
 
+// A child does not outlive an exception in its parent, which is passed on.
+TEST_F(ChildProcess, IsKilledWhereItsParentThrows)
+{
+  const auto runOut = []() -> bool { throw std::bad_alloc(); };
+  EXPECT_THROW(RunInChildProcess({}, Hang.Get(), runOut), std::bad_alloc);
+  EXPECT_EQ(waitpid(-1, nullptr, 0), -1);
+}
+
 // The time of a child that is not wanted is not charged to its parent.
 TEST_F(ChildProcess, DoesNotChargeWorkThatIsNotWanted)
 {

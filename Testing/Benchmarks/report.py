@@ -98,7 +98,7 @@ same mesh. Compare ratios: seconds depend on the machine and on its load. "–":
 
 ## Ratios
 
-"TetGen" is the whole time of Debian's bare program, which has the flags of carve's first attempt (`{flags}`),
+"TetGen" is the whole time of Debian's bare program, which has the flags of carve's first attempt with TetGen (`{flags}`),
 reads OFF and writes nothing. It refuses meshes that cross themselves. "whole" is
 `carve MESH.ply --levels 8 -o levels.vtm --profile profile.csv`, with binary PLY. The ratio of processor seconds depends
 less on other programs. "after TetGen" are the stages {after}. Tetrahedra are those

@@ -13,6 +13,6 @@ bash "$root/Testing/run_on.sh" "$1" 'bash Packaging/make.sh'
 export BUILD_DIR=$build_root/users
 rm -rf "$BUILD_DIR/roots/$1"
 bash "$root/Testing/run_on.sh" "$1" true
-mkdir "$BUILD_DIR/roots/$1/root/packages"
-cp "$build_root/roots/$1"/root/topologycarving/build/packages/*.deb "$BUILD_DIR/roots/$1/root/packages"
-bash "$root/Testing/run_on.sh" "$1" 'bash Testing/try_packages.sh /root/packages'
+mkdir "$BUILD_DIR/roots/$1/srv/packages"
+cp "$build_root/roots/$1"/srv/topologycarving/build/packages/*.deb "$BUILD_DIR/roots/$1/srv/packages"
+bash "$root/Testing/run_on.sh" "$1" 'bash Testing/try_packages.sh /srv/packages'

@@ -46,7 +46,7 @@ fi
 
 say "Running on $release, with commit $commit: $command"
 git -C "$root" diff --quiet HEAD || printf 'Changes that are not committed are left out.\n' >&2
-copy=$system/root/topologycarving
+copy=$system/srv/topologycarving
 mkdir -p "$copy"
 find "$copy" -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
 # Files get the time of their copy, so that a build never takes a changed file for an old one.
@@ -55,14 +55,15 @@ cp /etc/resolv.conf "$system/etc/"
 
 # Both systems share the compiler cache.
 cache=${CCACHE_DIR:-$HOME/.cache/ccache}
-mkdir -p "$cache" "$system/root/.cache/ccache"
+mkdir -p "$cache" "$system/srv/ccache"
 # unshare itself ignores the signals that end this script.
 trap 'kill -KILL $! 2>/dev/null || true' EXIT
 "${isolated[@]}" bash -c '
   set -e
   mount -t proc proc "$1/proc"
   mount --rbind /dev "$1/dev"
-  mount --bind "$2" "$1/root/.cache/ccache"
-  exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin ${http_proxy:+"http_proxy=$http_proxy"} \
-    chroot "$1" bash -c "cd /root/topologycarving && $3"' run_on "$system" "$cache" "$command" <&0 &
+  mount --bind "$2" "$1/srv/ccache"
+  exec env -i HOME=/srv CCACHE_DIR=/srv/ccache LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    ${http_proxy:+"http_proxy=$http_proxy"} \
+    chroot "$1" bash -c "cd /srv/topologycarving && $3"' run_on "$system" "$cache" "$command" <&0 &
 wait $!

@@ -50,6 +50,13 @@ inline double Length(const Point& a)
   return std::sqrt(Dot(a, a));
 }
 
+/** The cotangent of the angle at `apex` in a triangle; infinite if that has no area. */
+inline double Cotangent(const Point& apex, const Point& a, const Point& b)
+{
+  const double sine = Length(Cross(a - apex, b - apex));
+  return sine > 0.0 ? Dot(a - apex, b - apex) / sine : HUGE_VAL;
+}
+
 /** The point a share t of the way from a to b. */
 inline Point Between(const Point& a, const Point& b, double t)
 {

@@ -46,6 +46,7 @@ protected:
 
   /** Tries recovery on the resolved mesh; `meanwhile` as for TryInChild. */
   bool TryRecovery(RecoveryEffort effort, const std::function<bool()>& meanwhile = {});
+
   // Do the same in this process:
   bool RunTetGen(int order, SurfacePoints surfacePoints);
   bool RunRecovery(RecoveryEffort effort);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/ChildProcess.h"
 
+#include "Helper/Attempts/Meanwhile.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <iostream>
 #include <new>
 
@@ -184,17 +185,8 @@ Ending RunInChildProcess(
   {
     RunChild(self, limits, std::min(own, remaining), work.Do);
   }
-  bool wanted = false;
-  std::exception_ptr failure;
-  try
-  {
-    wanted = !meanwhile || meanwhile();
-  }
-  catch (...)
-  {
-    failure = std::current_exception();
-  }
-  if (!wanted)
+  const Meanwhile beside(meanwhile);
+  if (!beside.WantsChild())
   {
     kill(child, SIGKILL);
   }
@@ -203,11 +195,8 @@ Ending RunInChildProcess(
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR)
   {
   }
-  if (failure)
-  {
-    std::rethrow_exception(failure);
-  }
-  if (!wanted)
+  beside.ThrowFailure();
+  if (!beside.WantsChild())
   {
     return { NotWanted };
   }

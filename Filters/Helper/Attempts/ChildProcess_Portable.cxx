@@ -2,6 +2,7 @@
 #include "Helper/Attempts/ChildProcess.h"
 
 #include "Core/Protocol/SecondsSince.h"
+#include "Helper/Attempts/Meanwhile.h"
 #include "Helper/Attempts/ProgramRun.h"
 #include "vtksys/Process.h"
 #include "vtksys/SystemTools.hxx"
@@ -13,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <exception>
 #include <fstream>
 #include <memory>
 #include <new>
@@ -56,7 +56,10 @@ std::string UsedBy(int depth)
   return HandedTo(depth) + ".seconds";
 }
 
-/** Of this process and its children. Where clock() tells the time since the start, it counts as used. */
+/**
+ * Of this process and its children. Where clock() tells the time since the start, that time counts
+ * as used.
+ */
 double UsedProcessorSeconds()
 {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC + ThisRun.UsedByChildren;
@@ -225,30 +228,18 @@ Ending RunInChildProcess(
   const auto start = std::chrono::steady_clock::now();
   ThisRun.HasChild = true;
   Start(process.get(), ChildCommand(std::min(own, remaining)), limits.Seconds);
-  bool wanted = false;
-  std::exception_ptr failure;
-  try
-  {
-    wanted = !meanwhile || meanwhile();
-  }
-  catch (...)
-  {
-    failure = std::current_exception();
-  }
-  if (!wanted)
+  const Meanwhile beside(meanwhile);
+  if (!beside.WantsChild())
   {
     vtksysProcess_Kill(process.get());
   }
   vtksysProcess_WaitForExit(process.get(), nullptr);
   ThisRun.HasChild = false;
   std::remove(handed.c_str());
-  if (!wanted)
+  if (!beside.WantsChild())
   {
     std::remove(used.c_str());
-    if (failure)
-    {
-      std::rethrow_exception(failure);
-    }
+    beside.ThrowFailure();
     return { NotWanted };
   }
   ChargeProcessorTime(

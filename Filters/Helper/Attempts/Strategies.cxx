@@ -154,18 +154,13 @@ bool StrategyRun::TryExact()
 {
   ResolvedMesh& surface = this->TheReply.Result.Surface;
   std::vector<std::pair<int, int>> pairs;
-  const auto findPairs = [&]
-  {
-    pairs = FindIntersections(surface.Points, surface.Facets);
-    return pairs.empty();
-  };
   // Without a report: the progress is that of the attempt that runs meanwhile.
   const auto findMeanwhile = [&]
   {
     const auto start = std::chrono::steady_clock::now();
-    const bool isResolved = findPairs();
+    pairs = FindIntersections(surface.Points, surface.Facets);
     this->TheReply.StageSeconds[static_cast<int>(Stage::Resolve)] += SecondsSince(start);
-    return isResolved;
+    return pairs.empty();
   };
   // Few meshes cross themselves. So the search need not come first if a processor is free.
   const bool early = this->TheJob.Processes > 1 && !this->IsCustom && !this->IsRecovery;
@@ -177,7 +172,7 @@ bool StrategyRun::TryExact()
   this->Host.Begin(Stage::Resolve);
   if (!early)
   {
-    findPairs();
+    pairs = FindIntersections(surface.Points, surface.Facets);
   }
   this->TheReply.IntersectingPairs = static_cast<int>(pairs.size());
   const std::string mistake = ResolvePairs(surface, std::move(pairs), this->Host.Report,

@@ -40,7 +40,8 @@ std::vector<PlaneTriangulation::Vertex_handle> InsertInOrder(
   const std::vector<PlaneKernel::Point_2>& points, PlaneTriangulation& triangulation);
 
 /**
- * Inserts points, no two of which have the same first two coordinates, with their indices. Returns the vertex of each point.
+ * Inserts points, no two of which have the same first two coordinates, with their indices. Returns
+ * the vertex of each point.
  */
 std::vector<PlaneTriangulation::Vertex_handle> InsertPoints(
   const std::vector<Point>& points, PlaneTriangulation& triangulation);

@@ -62,6 +62,9 @@ public:
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 
+  /** Whether the part of a contact is a face of the cell, not only a piece of one. */
+  bool IsOnWholeFace(const Cell& cell, const PartContact& contact) const;
+
   /** The parts that are no faces, in ascending order. */
   std::vector<int> FindMissing() const;
 

@@ -55,6 +55,19 @@ bool PiercedMesh::IsFace(int part) const
     this->Vertices[corners[2]], cell, i, j, k);
 }
 
+bool PiercedMesh::IsOnWholeFace(const Cell& cell, const PartContact& contact) const
+{
+  const int face = contact.How.Face;
+  const Triangle& corners = this->Parts.GetParts()[contact.Part].Corners;
+  return face >= 0 &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](int corner)
+      {
+        const Vertex v = this->Vertices[corner];
+        return cell->has_vertex(v) && cell->vertex(face) != v;
+      });
+}
+
 std::vector<int> PiercedMesh::FindMissing() const
 {
   const auto& parts = this->Parts.GetParts();
@@ -62,16 +75,9 @@ std::vector<int> PiercedMesh::FindMissing() const
   // Contacts tell faster than a search for each part.
   for (const Cell cell : this->Mesh.finite_cell_handles())
   {
-    for (const auto& [part, how] : cell->info().All)
+    for (const PartContact& contact : cell->info().All)
     {
-      const Triangle& corners = parts[part].Corners;
-      isFace[part] |= how.Face >= 0 &&
-        std::all_of(corners.begin(), corners.end(),
-          [&](int corner)
-          {
-            const Vertex v = this->Vertices[corner];
-            return cell->has_vertex(v) && cell->vertex(how.Face) != v;
-          });
+      isFace[contact.Part] |= this->IsOnWholeFace(cell, contact);
     }
   }
   std::vector<int> missing;

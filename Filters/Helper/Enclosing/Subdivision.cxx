@@ -7,17 +7,6 @@
 
 namespace carving::helper
 {
-namespace
-{
-
-/** The cotangent of the angle at `apex`. */
-double Cotangent(const Point& apex, const Point& a, const Point& b)
-{
-  const double sine = Length(Cross(a - apex, b - apex));
-  return sine > 0.0 ? Dot(a - apex, b - apex) / sine : HUGE_VAL;
-}
-
-} // namespace
 
 Subdivision::Subdivision(const ResolvedMesh& input)
   : Points(input.Points)

@@ -14,20 +14,17 @@ namespace
 {
 
 /**
- * The greatest share of edges without the property. Of measured meshes, scans and remeshed surfaces
+ * The greatest share of edges that are not Delaunay. Of measured meshes, scans and remeshed surfaces
  * had at most 0.05, and their Delaunay tetrahedralization lacked few triangles. The others had at
  * least 0.1, and lacked 7 % or more.
  */
 constexpr double MaximumShare = 0.06;
 
-/** The cotangent of the angle at a corner of a triangle. */
 double CotangentAt(const ResolvedMesh& mesh, int corner)
 {
   const Triangle& t = mesh.Facets[corner / 3];
-  const Point& p = mesh.Points[t[corner % 3]];
-  const Point toA = mesh.Points[t[(corner + 1) % 3]] - p;
-  const Point toB = mesh.Points[t[(corner + 2) % 3]] - p;
-  return Dot(toA, toB) / Length(Cross(toA, toB));
+  return Cotangent(
+    mesh.Points[t[corner % 3]], mesh.Points[t[(corner + 1) % 3]], mesh.Points[t[(corner + 2) % 3]]);
 }
 
 } // namespace

@@ -8,10 +8,10 @@ namespace carving::helper
 {
 
 /**
- * Whether a Delaunay tetrahedralization probably has nearly all triangles of M: most edges of M
- * have the Delaunay property within the surface, which is that the two angles opposite to them add
- * up to less than 180 degrees. Takes linear time. Sheets closer to each other than their points are
- * not noticed.
+ * Whether a Delaunay tetrahedralization probably has nearly all triangles of M. Most edges of M
+ * have to be Delaunay within the surface: the two angles opposite to an edge add up to less than 180
+ * degrees. Takes linear time. Does not notice sheets that are closer to each other than their
+ * points.
  */
 bool IsNearDelaunay(const ResolvedMesh& mesh);
 

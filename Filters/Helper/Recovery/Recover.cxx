@@ -101,18 +101,10 @@ bool Recoverer::IsRecovered(const Cell& cell, int f) const
     const Cell other = cell->neighbor(f);
     return !this->IsInfinite(other) && this->IsRecovered(other, other->index(cell));
   }
-  const auto isCorner = [&](int vertex)
-  {
-    return std::any_of(std::begin(FaceCorners[f]), std::end(FaceCorners[f]),
-      [&](int i) { return cell->vertex(i)->info().Index == vertex; });
-  };
   const auto& contacts = cell->info().All;
   return std::any_of(contacts.begin(), contacts.end(),
     [&](const PartContact& contact)
-    {
-      const Triangle& corners = this->Mesh.GetParts().GetParts()[contact.Part].Corners;
-      return contact.How.Face == f && std::all_of(corners.begin(), corners.end(), isCorner);
-    });
+    { return contact.How.Face == f && this->Mesh.IsOnWholeFace(cell, contact); });
 }
 
 /** Adds the infinite cells at faces of the hull that lie in the plane of a part. */

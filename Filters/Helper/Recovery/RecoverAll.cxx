@@ -8,7 +8,6 @@
 
 namespace carving::helper
 {
-
 namespace
 {
 

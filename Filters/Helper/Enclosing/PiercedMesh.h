@@ -65,7 +65,7 @@ public:
   /** Whether the part of a contact is a face of the cell, not only a piece of one. */
   bool IsOnWholeFace(const Cell& cell, const PartContact& contact) const;
 
-  /** The parts that are no faces, in ascending order. */
+  /** The parts that are no faces, in ascending order of the number of tetrahedra that they meet. */
   std::vector<int> FindMissing() const;
 
   /** The tetrahedra that a part pierces, or a face of which it overlaps in an area. */

@@ -72,12 +72,14 @@ std::vector<int> PiercedMesh::FindMissing() const
 {
   const auto& parts = this->Parts.GetParts();
   std::vector<char> isFace(parts.size(), 0);
+  std::vector<int> numberOfCells(parts.size(), 0);
   // Contacts tell faster than a search for each part.
   for (const Cell cell : this->Mesh.finite_cell_handles())
   {
     for (const PartContact& contact : cell->info().All)
     {
       isFace[contact.Part] |= this->IsOnWholeFace(cell, contact);
+      ++numberOfCells[contact.Part];
     }
   }
   std::vector<int> missing;
@@ -88,6 +90,8 @@ std::vector<int> PiercedMesh::FindMissing() const
       missing.push_back(part);
     }
   }
+  std::stable_sort(missing.begin(), missing.end(),
+    [&](int a, int b) { return numberOfCells[a] < numberOfCells[b]; });
   return missing;
 }
 

@@ -334,7 +334,8 @@ public:
   ///@{
   /**
    * Whether a mesh that is only enclosed follows its own tightest level as the last level, with
-   * `Kind` "input" in the field data. That level may cross itself and need not be a manifold.
+   * `Kind` "input" in the field data. That level may cross itself and need not be a manifold. Its
+   * cell data `MetShare` says which triangles are met exactly.
    * Without effect in exact mode, where the last level is the mesh, and on contours. Default off.
    */
   vtkSetMacro(AppendInput, bool);

@@ -31,7 +31,9 @@
  * Arrays of a level:
  * - cells: `Priority` and `Depth` (doubles: q(t) d(t)^-dp and d(t) of equation (2)) of the
  *   tetrahedron behind the face, NaN and 0 for a face of M; `vtkOriginalCellIds`, the input cell,
- *   -1 for a carved face; the input's cell data, 0 on carved faces.
+ *   -1 for a carved face; the input's cell data, 0 on carved faces; `MetShare`, only of the level
+ *   that AppendInput appends: the share of the triangle's area that pierces no tetrahedron, 1 where
+ *   the triangle is met exactly.
  * - points: the input's point data, exact on input points, and interpolated at the closest point of
  *   the input on new points; `vtkOriginalPointIds`, -1 for a new point; `SnapDistance`, only of a
  *   snapped mesh: the distance that the point was moved. A point that was moved is one of the

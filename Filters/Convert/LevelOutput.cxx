@@ -255,12 +255,17 @@ std::string FillSimplifiedLevel(const carving::StoredStream<3>& stream,
   return problem;
 }
 
-void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
+void FillInputLevel(const carving::Tetrahedralization& result, const carving::Profile& profile,
   vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,
   vtkPolyData* output)
 {
+  const carving::ResolvedMesh& mesh = result.Unresolved;
   FillInputPoints(mesh, input->GetPointData(), output);
   FillInputFaces(mesh, cellIds, input->GetCellData(), output);
+  auto shares = MakeArray<vtkDoubleArray>(
+    StreamArrays::MetShare, static_cast<vtkIdType>(result.MetShares.size()));
+  std::copy(result.MetShares.begin(), result.MetShares.end(), shares->GetPointer(0));
+  output->GetCellData()->AddArray(shares);
   vtkFieldData* fieldData = output->GetFieldData();
   FillFieldData(profile, profile.LastStep(), "input", 0, static_cast<vtkIdType>(mesh.Facets.size()),
     grid, fieldData);

@@ -40,7 +40,7 @@ std::string FillSimplifiedLevel(const carving::StoredStream<3>& stream,
  * Fills a level with M as given, for a mesh that is only enclosed. `cellIds` has the cell of
  * `input` for each triangle that the helper program was given.
  */
-void FillInputLevel(const carving::ResolvedMesh& mesh, const carving::Profile& profile,
+void FillInputLevel(const carving::Tetrahedralization& result, const carving::Profile& profile,
   vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* grid,
   vtkPolyData* output);
 

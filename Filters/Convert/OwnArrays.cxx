@@ -13,7 +13,8 @@ namespace
 {
 
 constexpr const char* CellNames[] = { StreamArrays::Priority, StreamArrays::Depth,
-  StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides, StreamArrays::OriginalCells };
+  StreamArrays::Step, StreamArrays::Region, StreamArrays::SolidSides, StreamArrays::OriginalCells,
+  StreamArrays::MetShare };
 
 constexpr const char* PointNames[] = { StreamArrays::OriginalPoints, StreamArrays::SnapDistance };
 

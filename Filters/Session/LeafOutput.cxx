@@ -230,8 +230,7 @@ void LeafOutput<D>::AppendInput(vtkPolyData* attributes, const DecomposedLeaf<D>
   if (!leaf.Reply.Result.Kept.empty()) // else the last level is the input; in a plane it always is
   {
     vtkNew<vtkPolyData> level;
-    FillInputLevel(
-      leaf.Reply.Result.Unresolved, profile, attributes, leaf.Input.CellIds, grid, level);
+    FillInputLevel(leaf.Reply.Result, profile, attributes, leaf.Input.CellIds, grid, level);
     this->SetLevel(this->Ports.Levels->GetNumberOfBlocks(), level);
   }
 }

@@ -176,6 +176,7 @@ void Keep(Bytes& bytes, Decomposition<D>& mesh)
       mesh.Unresolved.SignedMultiplicities.push_back(1);
     }
   }
+  mesh.MetShares.assign(mesh.Unresolved.Facets.size(), 1.0);
 }
 
 } // namespace

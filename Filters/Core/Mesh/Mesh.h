@@ -111,6 +111,8 @@ struct Decomposition
   std::vector<char>
     Kept; ///< per cell: M pierces the cell, which is never carved; empty in exact mode
   ResolvedInput<D> Unresolved; ///< M itself; empty in exact mode
+  /** Per facet of `Unresolved`: the share of its area that pierces no cell; empty in exact mode. */
+  std::vector<double> MetShares;
 
   bool IsKept(int cell) const
   {

@@ -170,7 +170,8 @@ std::string FindMistake(const Decomposition<D>& mesh)
     }
   }
   if (mesh.Neighbors.size() != mesh.Cells.size() || mesh.Constraints.size() != mesh.Cells.size() ||
-    (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()))
+    (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()) ||
+    mesh.MetShares.size() != mesh.Unresolved.Facets.size())
   {
     return "arrays that belong together differ in length";
   }

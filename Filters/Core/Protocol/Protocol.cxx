@@ -165,6 +165,7 @@ void VisitDecomposition(Archive& archive, Mesh& mesh)
   archive.Array(mesh.Constraints);
   archive.Array(mesh.Kept);
   VisitInput(archive, mesh.Unresolved);
+  archive.Array(mesh.MetShares);
 }
 
 template <class Archive, class DecimationType>

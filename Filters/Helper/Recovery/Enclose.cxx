@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 namespace carving::helper
 {
@@ -60,8 +61,11 @@ bool CrossesItselfOften(const ResolvedMesh& input)
   return static_cast<double>(crossings) > often * static_cast<double>(input.Facets.size());
 }
 
-/** The share of M's area that pierces no tetrahedron. */
-double MeasureMetShare(const PiercedMesh& mesh)
+/**
+ * Measures the share of M's area that pierces no tetrahedron, which is returned, and that of each
+ * triangle's area.
+ */
+double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
 {
   const auto& parts = mesh.GetParts().GetParts();
   std::vector<char> pierces(parts.size(), 0);
@@ -72,18 +76,24 @@ double MeasureMetShare(const PiercedMesh& mesh)
       pierces[contact.Part] |= contact.How.Pierces;
     }
   }
-  double met = 0.0, all = 0.0;
+  std::vector<double> met(shares.size(), 0.0), all(shares.size(), 0.0);
   for (int part = 0; part < static_cast<int>(parts.size()); ++part)
   {
-    if (parts[part].Parent >= 0)
+    const int parent = parts[part].Parent;
+    if (parent >= 0)
     {
       const auto [a, b, c] = mesh.GetParts().GetCorners(part);
       const double twiceArea = Length(Cross(b - a, c - a));
-      all += twiceArea;
-      met += pierces[part] ? 0.0 : twiceArea;
+      all[parent] += twiceArea;
+      met[parent] += pierces[part] ? 0.0 : twiceArea;
     }
   }
-  return met / all;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    shares[i] = met[i] / all[i];
+  }
+  return std::accumulate(met.begin(), met.end(), 0.0) /
+    std::accumulate(all.begin(), all.end(), 0.0);
 }
 
 } // namespace
@@ -136,7 +146,8 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   }
   WriteFaces(*mesh, input, result);
   result.Unresolved = input;
-  return { kept, MeasureMetShare(*mesh) };
+  result.MetShares.resize(input.Facets.size());
+  return { kept, MeasureMetShares(*mesh, result.MetShares) };
 }
 
 } // namespace carving::helper

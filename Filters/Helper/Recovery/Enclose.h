@@ -31,7 +31,7 @@ struct Enclosure
  * many points. With 0, none are added on M.
  *
  * In the result, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
- * of M in an area, as parts of M, and `Unresolved` is the input.
+ * of M in an area, as parts of M, `Unresolved` is the input, and `MetShares` is there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
   const std::function<bool(double)>& progress, Tetrahedralization& result);

@@ -8,6 +8,7 @@
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkTriangle.h"
 
 #include <gtest/gtest.h>
 
@@ -155,6 +156,30 @@ TEST(Conformity, AppendsTheInputOnRequest)
     EXPECT_EQ(level->GetCellData()->GetArray("Color")->GetTuple1(i), 7 + cell);
     EXPECT_TRUE(std::isnan(level->GetCellData()->GetArray("Priority")->GetTuple1(i)));
   }
+}
+
+// The appended input says how much of each triangle is met, which adds up to the share of the mesh.
+TEST(Conformity, TellsWhichTrianglesAreMet)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->AppendInputOn();
+  Carve(carver, Crossing());
+  vtkPolyData* level = LastLevel(carver);
+  vtkDataArray* shares = level->GetCellData()->GetArray("MetShare");
+  ASSERT_TRUE(shares);
+  double met = 0.0, all = 0.0;
+  for (vtkIdType i = 0; i < level->GetNumberOfCells(); ++i)
+  {
+    const double share = shares->GetTuple1(i);
+    EXPECT_TRUE(share >= 0.0 && share <= 1.0) << share;
+    const double area = vtkTriangle::SafeDownCast(level->GetCell(i))->ComputeArea();
+    met += share * area;
+    all += area;
+  }
+  EXPECT_NEAR(met / all, GetFieldValue(level, "MetShare"), 1e-9);
+  EXPECT_LT(shares->GetRange()[0], 1.0); // at the crossing
+  EXPECT_FALSE(GetLevel(carver, 0)->GetCellData()->HasArray("MetShare"));
 }
 
 // A change of the solid rule runs the helper program again only if triangles inside the solid may

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -204,24 +205,29 @@ TEST(Enclose, MeasuresTheKeptDistances)
   EXPECT_NEAR(reply.KeptDistance, samples.back().first, 0.1 * samples.back().first);
 }
 
-// The share that is met is that of the faces' area in the area of the mesh.
+// The shares that are met are those of the faces' area in the area of the mesh and its triangles.
 TEST(Enclose, KnowsWhichShareIsMet)
 {
   const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
     models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
   const Reply reply = GetReply(mesh, Conformity::Enclosing);
-  const auto areaOf = [](const std::vector<Point>& points, const std::vector<Triangle>& triangles)
-  {
-    double area = 0.0;
-    for (const auto& [a, b, c] : triangles)
-    {
-      area += Length(Cross(points[b] - points[a], points[c] - points[a])) / 2.0;
-    }
-    return area;
-  };
+  const auto areaOf = [](const std::vector<Point>& points, const Triangle& t)
+  { return Length(Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2.0; };
   const ResolvedMesh& surface = reply.Result.Surface;
-  const double met = areaOf(surface.Points, surface.Facets);
-  EXPECT_NEAR(reply.MetShare, met / areaOf(mesh.Points, mesh.Triangles), 1e-9);
+  std::vector<double> met(mesh.Triangles.size(), 0.0);
+  for (std::size_t i = 0; i < surface.Facets.size(); ++i)
+  {
+    met[surface.FacetSources[i]] += areaOf(surface.Points, surface.Facets[i]);
+  }
+  double area = 0.0;
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    const int triangle = reply.Result.Unresolved.FacetSources[i];
+    const double own = areaOf(mesh.Points, mesh.Triangles[triangle]);
+    EXPECT_NEAR(reply.Result.MetShares[i], met[triangle] / own, 1e-9);
+    area += own;
+  }
+  EXPECT_NEAR(reply.MetShare, std::accumulate(met.begin(), met.end(), 0.0) / area, 1e-9);
   EXPECT_GT(reply.MetShare, 0.5);
   EXPECT_LT(reply.MetShare, 1.0); // where the two cross, no triangle can be met
 }

@@ -158,6 +158,11 @@ void BeginProgram(int, char*[], const std::string&, const std::function<bool(std
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+bool ChildProcessesEndWithThis()
+{
+  return true; // RunChild asks for the signal
+}
+
 void LimitMemory(double mebibytes)
 {
   if (mebibytes > 0.0)

@@ -277,6 +277,11 @@ bool IsChildProcess()
   return ThisRun.Depth > 0;
 }
 
+bool ChildProcessesEndWithThis()
+{
+  return false;
+}
+
 /** There is no portable way to limit memory. */
 void LimitMemory(double)
 {

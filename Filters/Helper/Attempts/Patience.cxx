@@ -42,6 +42,11 @@ Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
   return limits;
 }
 
+double PatienceBeforeEnclosing(const Job& job, std::size_t numberOfFacets)
+{
+  return 0.25 * LimitsOfExact(job, numberOfFacets).ProcessorSeconds;
+}
+
 Limits LimitsOfEnclosing(const Job& job)
 {
   Limits limits;

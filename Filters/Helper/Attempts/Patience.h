@@ -20,6 +20,12 @@ Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t 
 /** For resolving a mesh of so many triangles and all attempts at it together. */
 Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
+/**
+ * The seconds by the clock that exact attempts at a mesh of so many triangles may take before it is
+ * enclosed beside them. Most successful attempts take less.
+ */
+double PatienceBeforeEnclosing(const Job& job, std::size_t numberOfFacets);
+
 /** For enclosing a mesh: the user's limits alone. */
 Limits LimitsOfEnclosing(const Job& job);
 

@@ -40,6 +40,9 @@ struct StrategyHost
  * The job's Strategy leaves out recovery, or TetGen: then recovery is the only exact attempt, at the
  * mesh as it is and at snapped ones.
  *
+ * Where a processor is free, strategy 3 begins while the others take long (PatienceBeforeEnclosing),
+ * and the reply is written once they have failed.
+ *
  * A job whose conformity is Enclosing starts with strategy 3. With Auto, strategies 1 and 2 give up
  * where resolving so many crossings would multiply M.
  *

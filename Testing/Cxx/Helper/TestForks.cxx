@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What child processes promise on Linux alone.
+// What child processes and the strategies that use them promise on Linux alone.
 #include "ChildProcessTesting.h"
+#include "Helper/Attempts/Messages.h"
+#include "Helper/Attempts/Strategies.h"
+#include "Helper/Resolve/Clean.h"
+#include "Shapes.h"
 
+#include <chrono>
 #include <csignal>
+#include <string>
+#include <thread>
 #include <vector>
 
+using namespace carving;
 using namespace carving::helper;
 
 namespace
@@ -71,4 +79,38 @@ TEST_F(ChildProcess, TakesAKillForALimit)
   const Ending ending = RunInChildProcess({}, BeKilled.Get());
   EXPECT_EQ(ending.Mistake, "was killed");
   EXPECT_TRUE(ending.ByLimit);
+}
+
+// With a free processor, a mesh is enclosed while exact attempts take long.
+TEST(StrategiesInForks, EncloseBesideLongAttempts)
+{
+  Job job;
+  job.Mesh = models::Sheared(models::Sphere(1));
+  job.Conformity = Conformity::Auto;
+  job.Processes = 2;
+  Reply reply;
+  reply.StageSeconds.assign(NumberOfStages, 0.0);
+  reply.Result.Surface = Clean(AsResolved(job.Mesh));
+  Messages fractions("fractions");
+  const StrategyHost host = { [](Stage) {},
+    [&](double fraction)
+    {
+      if (reply.Strategy == "Delaunay, enclosing")
+      {
+        fractions.Add(std::to_string(fraction));
+      }
+      return true;
+    },
+    [] {},
+    [&]
+    {
+      if (reply.Strategy == "TetGen -pcY")
+      {
+        // longer than 2.5 s and the time for enclosing 80 triangles
+        std::this_thread::sleep_for(std::chrono::seconds(6));
+      }
+      return reply.Strategy == "Delaunay, enclosing";
+    } };
+  EXPECT_TRUE(TryStrategies(job, reply, host));
+  EXPECT_EQ(fractions.Get(), "1.000000\n"); // done when the attempts had failed
 }

@@ -132,10 +132,11 @@ constexpr const char* Lines = "lines";
  * Tries the strategies on a sphere of 80 triangles, which takes TetGen no time, sheared, so that
  * TetGen comes first. Returns the lines that the named writing gives.
  */
-std::string TryOnShearedSphere(
-  double timeLimit, const std::string& writing, Strategy strategy = Strategy::Auto)
+std::string TryOnShearedSphere(double timeLimit, const std::string& writing,
+  Strategy strategy = Strategy::Auto, int processes = 1)
 {
   Job job;
+  job.Processes = processes;
   job.Mesh = models::Sheared(models::Sphere(1));
   job.Conformity = Conformity::Auto;
   job.Strategy = strategy;
@@ -317,6 +318,13 @@ TEST(Strategies, EndInEnclosingWhereTetGenFails)
 TEST(Strategies, DoNotCountTheTimeOfOthers)
 {
   const std::string written = TryOnShearedSphere(0.0, "sleep");
+  EXPECT_EQ(written, "TetGen -pcY\n");
+}
+
+// A mesh that has been enclosed beside an attempt is dropped where that succeeds.
+TEST(Strategies, DropTheEnclosureWhereAnAttemptSucceeds)
+{
+  const std::string written = TryOnShearedSphere(0.0, "sleep", Strategy::Auto, 2);
   EXPECT_EQ(written, "TetGen -pcY\n");
 }
 

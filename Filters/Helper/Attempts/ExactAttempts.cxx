@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Attempts/ExactAttempts.h"
+
+#include "Core/Mesh/Box.h"
+#include "Core/Protocol/SecondsSince.h"
+#include "Helper/Attempts/Patience.h"
+#include "Helper/Exact/InitialSurface.h"
+#include "Helper/Exact/Tetrahedralize.h"
+#include "Helper/Recovery/NearDelaunay.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Interior.h"
+#include "Helper/Resolve/Intersections.h"
+#include "Helper/Resolve/Resolve.h"
+#include "Helper/Resolve/Snap.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <sstream>
+
+namespace carving::helper
+{
+namespace
+{
+
+constexpr int NumberOfOrders = 2;
+constexpr int NumberOfSnappedOrders = 3; ///< on each grid
+constexpr int NumberOfGrids = 3;
+constexpr double GridRatio = 8.0; ///< between the spacings of one grid and the next
+/**
+ * Auto does not resolve a mesh with more pairs of triangles that cross: TetGen would fail. Every
+ * crossing may be the one at which it fails, so that their number matters, but on large meshes
+ * crossings are farther apart. Of measured meshes with more, none came through; with fewer, most.
+ */
+double MaximumPairs(const Job& job, std::size_t numberOfFacets)
+{
+  const double facets = static_cast<double>(numberOfFacets);
+  return job.Conformity == Conformity::Auto
+    ? std::min(2.0 * facets, std::max(15000.0, 0.4 * facets))
+    : HUGE_VAL;
+}
+
+/** Resolves M and C0 together, so that they meet in common vertices and edges only. */
+std::string AddInitial(const Job& job, ResolvedMesh& surface)
+{
+  const std::string mistake = CheckInitialSurface(job.InitialMesh);
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  AddInitialSurface(job.InitialMesh, surface);
+  surface = Clean(surface);
+  int pairs = 0; // between M and C0: the reply counts only those within M
+  return Resolve(surface, pairs, {});
+}
+
+} // namespace
+
+/** Resolving takes so long that all orders share the resolved mesh. */
+bool ExactAttempts::TryExact()
+{
+  ResolvedMesh& surface = this->TheReply.Result.Surface;
+  std::vector<std::pair<int, int>> pairs;
+  // Without a report: the progress is that of the attempt that runs meanwhile.
+  const auto findMeanwhile = [&]
+  {
+    const auto start = std::chrono::steady_clock::now();
+    pairs = FindIntersections(surface.Points, surface.Facets);
+    this->TheReply.StageSeconds[static_cast<int>(Stage::Resolve)] += SecondsSince(start);
+    return pairs.empty();
+  };
+  // Few meshes cross themselves. So the search need not come first if a processor is free.
+  const bool early = this->TheJob.Processes > 1 && !this->IsCustom && !this->IsRecovery;
+  if (early && this->TryFirst(findMeanwhile))
+  {
+    return true;
+  }
+  const bool hasTried = early && pairs.empty();
+  this->Host.Begin(Stage::Resolve);
+  if (!early)
+  {
+    pairs = FindIntersections(surface.Points, surface.Facets);
+  }
+  this->TheReply.IntersectingPairs = static_cast<int>(pairs.size());
+  const std::string mistake = ResolvePairs(surface, std::move(pairs), this->Host.Report,
+    MaximumPairs(this->TheJob, surface.Facets.size()));
+  this->Host.End();
+  if (!mistake.empty())
+  {
+    this->Failures.Add("Resolving: ", { mistake });
+    return false;
+  }
+  if (this->IsCustom)
+  {
+    this->TheReply.Error = AddInitial(this->TheJob, surface);
+    if (!this->TheReply.Error.empty())
+    {
+      return this->WriteError();
+    }
+  }
+  if (this->IsRecovery)
+  {
+    return this->TryRecovery(RecoveryEffort::Much);
+  }
+  if (!hasTried && this->TryFirst())
+  {
+    return true;
+  }
+  const auto tryRecovery = [this]
+  { return this->MayRecover() && this->TryRecovery(RecoveryEffort::Much); };
+  // TetGen comes to its end on most meshes of which another order loses no triangle.
+  const bool recoverFirst = !this->HasFinished;
+  return (recoverFirst && tryRecovery()) ||
+    this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||
+    (!recoverFirst && tryRecovery()) || this->TryWithoutInterior() ||
+    this->TryOrders("TetGen -pc", 0, NumberOfOrders, SurfacePoints::Allowed);
+}
+
+/** Recovery leaves too many triangles of a mesh whose crossings have been resolved. */
+bool ExactAttempts::MayRecover() const
+{
+  return this->TheJob.Strategy == Strategy::Auto && this->TheReply.IntersectingPairs == 0;
+}
+
+/**
+ * Tries the fastest attempts. If `isResolved`, which is called meanwhile, returns false, they leave
+ * no trace.
+ */
+bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
+{
+  bool resolved = true;
+  std::function<bool()> meanwhile;
+  if (isResolved)
+  {
+    meanwhile = [&] { return resolved = isResolved(); };
+  }
+  if (this->MayRecover() && IsNearDelaunay(this->TheReply.Result.Surface))
+  {
+    if (this->TryRecovery(RecoveryEffort::Little, meanwhile))
+    {
+      return true;
+    }
+    this->Failures.Clear(); // it took little time, and users need not know of it
+    meanwhile = {};
+  }
+  if (resolved && this->TryOrder("TetGen -pcY", 0, SurfacePoints::None, meanwhile))
+  {
+    return true;
+  }
+  if (!resolved)
+  {
+    this->TheReply.Strategy.clear();
+    this->Failures.Clear();
+  }
+  return false;
+}
+
+/** Tries M with its points moved, on ever finer grids. */
+bool ExactAttempts::TrySnapped()
+{
+  const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
+  const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
+  double spacing = GridSpacing(tolerance);
+  for (int grid = 0; grid < NumberOfGrids; ++grid, spacing /= GridRatio)
+  {
+    if (this->TryGrid(given, tolerance, spacing))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Why a snapped mesh is not worth an attempt, or an empty string. */
+std::string ExactAttempts::CheckSnapped(const SnappedMesh& snapped, double tolerance) const
+{
+  if (snapped.Distance > tolerance)
+  {
+    return "points move farther than SnapTolerance";
+  }
+  return snapped.Distance == 0.0
+    ? "no point moves"
+    : CheckVolume(snapped.Mesh, this->FurtherPoints(snapped.Mesh.Points));
+}
+
+bool ExactAttempts::TryGrid(const ResolvedMesh& given, double tolerance, double spacing)
+{
+  this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
+  this->Host.Begin(Stage::Resolve);
+  SnappedMesh snapped;
+  std::string mistake = Snap(
+    given, spacing, this->Host.Report, MaximumPairs(this->TheJob, given.Facets.size()), snapped);
+  this->Host.End();
+  mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
+  if (!mistake.empty())
+  {
+    std::ostringstream text;
+    text << "Snapping: on a grid of " << spacing << ", " << mistake;
+    this->Failures.Add("", { text.str() });
+    return false;
+  }
+  this->TheReply.Result.Surface = std::move(snapped.Mesh);
+  this->TheReply.IntersectingPairs = snapped.IntersectingPairs;
+  this->TheReply.SnapDistance = snapped.Distance;
+  return this->IsRecovery
+    ? this->TryRecovery(RecoveryEffort::Much)
+    : this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None);
+}
+
+/** Tries the boundary of the solid alone, in all orders. On failure M is as it was. */
+bool ExactAttempts::TryWithoutInterior()
+{
+  this->TheReply.SolidMatters = 1;
+  if (this->IsCustom) // the triangles of C0 do not bound a solid
+  {
+    return false;
+  }
+  const ResolvedMesh whole = this->TheReply.Result.Surface;
+  this->TheReply.InteriorDropped = DropInterior(this->TheJob.Solid, this->TheReply.Result.Surface);
+  if (this->TheReply.InteriorDropped > 0 &&
+    this->TryOrders("TetGen -pcY, without interior", 0, NumberOfOrders, SurfacePoints::None))
+  {
+    return true;
+  }
+  this->TheReply.Result.Surface = whole;
+  this->TheReply.InteriorDropped = 0;
+  return false;
+}
+
+} // namespace carving::helper

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The strategies that meet M exactly.
+ */
+#ifndef carving_ExactAttempts_h
+#define carving_ExactAttempts_h
+
+#include "Helper/Attempts/Attempts.h"
+#include "Helper/Resolve/Snap.h"
+
+#include <functional>
+#include <string>
+
+namespace carving::helper
+{
+
+/** All attempts at M, and at M with its points moved. */
+class ExactAttempts : public Attempts
+{
+public:
+  using Attempts::Attempts;
+
+protected:
+  bool TryExact();
+  bool TrySnapped();
+
+private:
+  bool MayRecover() const;
+  bool TryFirst(const std::function<bool()>& isResolved = {});
+  bool TryWithoutInterior();
+  bool TryGrid(const ResolvedMesh& given, double tolerance, double spacing);
+  std::string CheckSnapped(const SnappedMesh& snapped, double tolerance) const;
+};
+
+} // namespace carving::helper
+
+#endif

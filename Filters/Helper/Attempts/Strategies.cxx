@@ -91,7 +91,7 @@ bool StrategyRun::TryAllExact()
   return false;
 }
 
-/** Encloses M, unless that is not the last resort. */
+/** Encloses M where it may not or cannot be met exactly. */
 bool StrategyRun::TryUntilEnclosed()
 {
   bool isExact = false;

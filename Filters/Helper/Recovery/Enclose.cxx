@@ -11,6 +11,7 @@
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <memory>
 #include <numeric>
 
@@ -83,7 +84,8 @@ double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
     if (parent >= 0)
     {
       const auto [a, b, c] = mesh.GetParts().GetCorners(part);
-      const double twiceArea = Length(Cross(b - a, c - a));
+      // A part without area after rounding has a share nevertheless.
+      const double twiceArea = std::max(Length(Cross(b - a, c - a)), DBL_MIN);
       all[parent] += twiceArea;
       met[parent] += pierces[part] ? 0.0 : twiceArea;
     }

@@ -262,10 +262,7 @@ void FillInputLevel(const carving::Tetrahedralization& result, const carving::Pr
   const carving::ResolvedMesh& mesh = result.Unresolved;
   FillInputPoints(mesh, input->GetPointData(), output);
   FillInputFaces(mesh, cellIds, input->GetCellData(), output);
-  auto shares = MakeArray<vtkDoubleArray>(
-    StreamArrays::MetShare, static_cast<vtkIdType>(result.MetShares.size()));
-  std::copy(result.MetShares.begin(), result.MetShares.end(), shares->GetPointer(0));
-  output->GetCellData()->AddArray(shares);
+  AddFieldArray<vtkDoubleArray>(output->GetCellData(), StreamArrays::MetShare, result.MetShares);
   vtkFieldData* fieldData = output->GetFieldData();
   FillFieldData(profile, profile.LastStep(), "input", 0, static_cast<vtkIdType>(mesh.Facets.size()),
     grid, fieldData);

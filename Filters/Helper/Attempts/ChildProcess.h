@@ -66,7 +66,7 @@ constexpr const char* NotWanted = "is not wanted";
 void BeginProgram(int argc, char* argv[], const std::string& stem,
   const std::function<bool(std::istream&)>& resume);
 
-/** Whether child processes end when this process ends in any way. */
+/** Whether child processes end with this process, however this one ends. */
 bool ChildProcessesEndWithThis();
 
 /** Limits the memory of this process and of its child processes, on Linux alone; 0: no limit. */

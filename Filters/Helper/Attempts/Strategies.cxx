@@ -57,7 +57,7 @@ bool StrategyRun::TryAll()
     }
   }
   const bool mayEnclose = this->TheJob.Conformity != Conformity::Exact && !this->IsCustom;
-  if ((!mayEnclose && this->TryAllExact()) || (mayEnclose && this->TryUntilEnclosed()))
+  if (mayEnclose ? this->TryUntilEnclosed() : this->TryAllExact())
   {
     return true;
   }

@@ -321,7 +321,7 @@ TEST(Strategies, DoNotCountTheTimeOfOthers)
   EXPECT_EQ(written, "TetGen -pcY\n");
 }
 
-// A mesh that has been enclosed beside an attempt is dropped where that succeeds.
+// An enclosure that was made beside an attempt is dropped where the attempt succeeds.
 TEST(Strategies, DropTheEnclosureWhereAnAttemptSucceeds)
 {
   const std::string written = TryOnShearedSphere(0.0, "sleep", Strategy::Auto, 2);

@@ -119,12 +119,11 @@ public:
 
   /**
    * Calls `visit` with items, mostly nearest to p first. It returns the squared distance from which
-   * on boxes are of no more interest.
+   * on boxes are of no more interest, which is `limit` at first.
    */
   template <class Visitor>
-  void ForEachNear(const Point& p, Visitor&& visit) const
+  void ForEachNear(const Point& p, double limit, Visitor&& visit) const
   {
-    double limit = Box::Infinity;
     std::array<std::pair<double, int>, MostLevels> open;
     int count = 0;
     if (!this->Nodes.empty())
@@ -155,7 +154,11 @@ public:
       }
       for (int i = node.First; i < node.Last; ++i)
       {
-        limit = visit(this->Order[i]);
+        const int item = this->Order[i];
+        if (this->All.BoxOf(item).SquaredDistanceTo(p) < limit)
+        {
+          limit = visit(item);
+        }
       }
     }
   }

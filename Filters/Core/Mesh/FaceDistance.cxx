@@ -161,27 +161,31 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
 {
   std::priority_queue<Piece> pieces;
   double lower = 0.0;
-  pieces.push(this->MakePiece(face, lower));
+  pieces.push(this->MakePiece(face, nullptr, enough, lower));
   for (int asked = 1;;)
   {
     const Piece top = pieces.top();
     const bool final = top.Upper <= Tolerance * lower || top.Upper <= this->Negligible;
     if (final || asked >= queries || top.Upper <= enough)
     {
-      return { top.Upper, final };
+      return { lower, top.Upper, final };
     }
     pieces.pop();
     for (const FacetCorners<D>& part : Split(top.Corners, top.Closest))
     {
-      pieces.push(this->MakePiece(part, lower));
+      pieces.push(this->MakePiece(part, &top.Closest, enough, lower));
       ++asked;
     }
   }
 }
 
+/**
+ * Bounds the distances of a piece by that from one facet. The search begins at a facet nearby if
+ * there is one, and ends early at a facet that is close enough to the whole piece.
+ */
 template <int D>
 typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
-  const FacetCorners<D>& corners, double& lower) const
+  const FacetCorners<D>& corners, const FacetCorners<D>* nearby, double enough, double& lower) const
 {
   Point center = {};
   for (const Point& corner : corners)
@@ -191,14 +195,31 @@ typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
       center[i] += corner[i] / D;
     }
   }
-  const auto closest = this->Tree.Find(center);
-  lower = std::max(lower, closest.Distance);
-  double upper = 0.0;
-  for (const Point& corner : corners)
+  Piece piece = { corners, {}, Box::Infinity };
+  double least = Box::Infinity;
+  const auto consider = [&](const FacetCorners<D>& facet)
   {
-    upper = std::max(upper, DistanceTo(closest.Facet, corner));
+    const double distance = DistanceTo(facet, center);
+    if (distance < least)
+    {
+      least = distance;
+      piece.Closest = facet;
+      piece.Upper = 0.0;
+      for (const Point& corner : corners)
+      {
+        piece.Upper = std::max(piece.Upper, DistanceTo(facet, corner));
+      }
+    }
+    return piece.Upper <= enough ? 0.0 : least * least;
+  };
+  const double limit = nearby ? consider(*nearby) : Box::Infinity;
+  this->Tree.ForEachNear(
+    center, limit, [&](int facet) { return consider(this->Tree.GetItems().CornersOf(facet)); });
+  if (piece.Upper > enough)
+  {
+    lower = std::max(lower, least);
   }
-  return { corners, closest.Facet, upper };
+  return piece;
 }
 
 template int LongestSide<2>(const FacetCorners<2>&);

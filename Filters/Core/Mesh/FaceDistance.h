@@ -48,12 +48,13 @@ public:
 
   struct Bound
   {
+    double Lower; ///< at most the distance of the farthest point
     double Upper;
-    bool Final; ///< at most 1 % too large
+    bool Final; ///< whether `Upper` is at most 1 % too large
   };
 
   /**
-   * An upper bound, refined with at most this many queries for closest facets: the distance from
+   * Bounds, refined with at most this many queries for closest facets: the distance from
    * one facet is convex, so that its maximum over a piece of the face is at a corner. Stops early
    * below `enough`.
    */
@@ -63,7 +64,7 @@ private:
   struct Piece
   {
     FacetCorners<D> Corners;
-    FacetCorners<D> Closest; ///< the facet closest to the center
+    FacetCorners<D> Closest; ///< the facet closest to the center, or one that is close enough
     double Upper;            ///< the distance of the farthest corner from this facet
 
     bool operator<(const Piece& other) const
@@ -72,7 +73,8 @@ private:
     }
   };
 
-  Piece MakePiece(const FacetCorners<D>& corners, double& lower) const;
+  Piece MakePiece(const FacetCorners<D>& corners, const FacetCorners<D>* nearby, double enough,
+    double& lower) const;
 
   const FacetTree<D> Tree;
   const double Negligible; ///< smaller distances are rounding errors of points on the mesh

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace carving
 {
@@ -46,8 +45,8 @@ FacetTree<D>::FacetTree(const ResolvedInput<D>& mesh)
 template <int D>
 typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
 {
-  Closest closest = { {}, std::numeric_limits<double>::infinity() };
-  this->ForEachNear(p,
+  Closest closest = { {}, Box::Infinity };
+  this->ForEachNear(p, Box::Infinity,
     [&](int facet)
     {
       const FacetCorners<D> corners = this->GetItems().CornersOf(facet);

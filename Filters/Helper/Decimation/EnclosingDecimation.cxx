@@ -75,22 +75,34 @@ void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& res
 /** The largest distance of any point of the surface from a mesh. */
 double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
 {
-  std::vector<std::pair<double, Face>> candidates;
-  for (const Face face : surface.faces())
+  const auto faces = surface.faces();
+  const auto distanceOf = [&](Face face, double enough)
   {
-    candidates.emplace_back(distance.Compute(CornersOf(surface, face), 1).Upper, face);
-  }
-  // Faces that may be far come first: the others need few queries then.
-  std::sort(candidates.rbegin(), candidates.rend());
-  constexpr int anyNumber = std::numeric_limits<int>::max();
-  double largest = 0.0;
-  for (const auto& [bound, face] : candidates)
+    constexpr int anyNumber = std::numeric_limits<int>::max();
+    return distance.Compute(CornersOf(surface, face), anyNumber, enough).Upper;
+  };
+  // A sample finds a face that is about as far as any: then it takes few queries to show that the
+  // others are not farther.
+  constexpr int sampled = 16;
+  Face farthest = *faces.begin();
+  double lower = 0.0;
+  int index = 0;
+  for (const Face face : faces)
   {
-    if (bound > largest)
+    if (index++ % sampled == 0)
     {
-      largest =
-        std::max(largest, distance.Compute(CornersOf(surface, face), anyNumber, largest).Upper);
+      const double known = distance.Compute(CornersOf(surface, face), 1).Lower;
+      if (known > lower)
+      {
+        lower = known;
+        farthest = face;
+      }
     }
+  }
+  double largest = distanceOf(farthest, 0.0);
+  for (const Face face : faces)
+  {
+    largest = std::max(largest, distanceOf(face, largest));
   }
   return largest;
 }

@@ -108,6 +108,41 @@ TEST(FaceDistance, BoundsAFaceAboveAPlane)
   EXPECT_LE(bound.Upper, height * 1.01);
 }
 
+// The bounds of a face enclose the distance of its farthest point, or say that this is close enough.
+TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
+{
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5), closeEnough(0.0, 1.0);
+  const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
+  const FaceDistance<3> distance(mesh);
+  for (int i = 0; i < 200; ++i)
+  {
+    FacetCorners<3> face;
+    for (Point& corner : face)
+    {
+      corner = { coordinate(random), coordinate(random), coordinate(random) };
+    }
+    constexpr int n = 60;
+    double sampled = 0.0;
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int k = 0; j + k <= n; ++k)
+      {
+        const double u = 1.0 * j / n, v = 1.0 * k / n;
+        sampled =
+          std::max(sampled, distance.OfPoint((1.0 - u - v) * face[0] + u * face[1] + v * face[2]));
+      }
+    }
+    // No point of the face is farther from one of the samples.
+    const double greatest = sampled + BallRadius<3>(face) / n;
+    const double enough = i % 2 == 0 ? 0.0 : closeEnough(random);
+    const auto bound = distance.Compute(face, 100000, enough);
+    EXPECT_LE(bound.Lower, greatest);
+    EXPECT_GE(bound.Upper, sampled * (1.0 - 1e-12));
+    EXPECT_LE(bound.Upper, std::max(enough, 1.01 * greatest));
+  }
+}
+
 // The tree finds what looking at all facets finds, from near and far.
 TEST(FacetTree, FindsTheClosest)
 {

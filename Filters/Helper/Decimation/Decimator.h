@@ -102,6 +102,7 @@ private:
   bool Nested;
   double ErrorBound = std::numeric_limits<double>::infinity();
   Point Origin;                  ///< of the quadrics
+  double Area = 0.0;             ///< of the surface before the first collapse
   std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
   SurfaceMesh::size_type VerticesAtRefill = 0;
   bool UsesEnds = false; ///< whether edges also collapse into their ends

@@ -25,6 +25,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 TILE = (420, 300)
+FONT_SIZE = 17
 
 
 def read_levels(path):
@@ -68,7 +69,7 @@ def level_text(level):
 def make_caption(text):
     caption = vtkTextActor()
     caption.SetInput(text)
-    caption.GetTextProperty().SetFontSize(17)
+    caption.GetTextProperty().SetFontSize(FONT_SIZE)
     caption.GetTextProperty().SetColor(0.1, 0.1, 0.1)
     caption.GetTextProperty().SetJustificationToCentered()
     caption.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
@@ -85,7 +86,8 @@ def default_view(bounds):
     return view, (0, 0, 1) if thin == 1 else (0, 1, 0)
 
 
-def place_camera(renderer, bounds, view, up):
+def place_camera(renderer, bounds, view, up, lines):
+    """Fills a tile with a box, above a caption of some lines."""
     center = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(center)
@@ -94,7 +96,10 @@ def place_camera(renderer, bounds, view, up):
     camera.OrthogonalizeViewUp()
     camera.SetViewAngle(20)
     renderer.ResetCameraScreenSpace(bounds)
-    camera.Zoom(1.1)  # leaves room for the caption
+    camera.Zoom(1.1)  # leaves room for one line
+    share = 1.4 * FONT_SIZE * (lines - 1) / TILE[1]
+    camera.Zoom(1.0 - share)
+    camera.SetWindowCenter(0.0, -share)
 
 
 def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level: [make_actor(level)], bounds=None):
@@ -113,9 +118,10 @@ def render(levels, columns, view, up, text_of=level_text, actors_of=lambda level
         renderer.SetBackground(1, 1, 1)
         for actor in actors_of(level):
             renderer.AddActor(actor)
-        renderer.AddViewProp(make_caption(text_of(level)))
+        text = text_of(level)
+        renderer.AddViewProp(make_caption(text))
         window.AddRenderer(renderer)
-        place_camera(renderer, bounds, view or automatic[0], up or automatic[1])
+        place_camera(renderer, bounds, view or automatic[0], up or automatic[1], 1 + text.count("\n"))
     window.Render()
     return window
 

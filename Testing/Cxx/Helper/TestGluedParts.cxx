@@ -91,7 +91,7 @@ TEST(GluedParts, AreCountedAsFromScratch)
     }
     RemainingCells<3> cells(mesh, states);
     GluedParts parts(mesh, cells);
-    const int exactFrom = static_cast<int>(random() % (stream.LastStep() + 1));
+    const int exactFrom = std::max(1, static_cast<int>(random() % (stream.LastStep() + 1)));
     for (int step = 1; step <= stream.LastStep(); ++step)
     {
       if (step == exactFrom)

@@ -220,6 +220,7 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.SnapTolerance = this->SnapTolerance;
   settings.NumberOfThreads =
     this->NumberOfThreads > 0 ? this->NumberOfThreads : vtkSMPTools::GetEstimatedNumberOfThreads();
+  settings.Reuse = this->ReuseDecomposition;
   settings.AppendInput = this->AppendInput;
   settings.TimeLimit = this->TimeLimit;
   settings.MemoryLimit = this->MemoryLimit;
@@ -229,6 +230,7 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.Carve.CarveExposed = this->CarveExposed;
   settings.Carve.CarveVoids = this->CarveVoids;
   settings.Carve.Budget = { this->MaximumComponents, this->MaximumTunnels, this->MaximumVoids };
+  settings.NeedsSolid = carving::HasLimits(settings.Carve.Budget);
   settings.DepthIsDistance = this->DepthMeasure == DISTANCE;
   settings.ComputeError = this->ComputeError;
   settings.NumberOfLevels = this->NumberOfLevels;

@@ -435,6 +435,17 @@ public:
 
   ///@{
   /**
+   * Whether the decompositions that the helper program makes are kept, so that it need not run again
+   * if only properties of the carving or of the levels change. A filter that updates once takes less
+   * time and memory without. The outputs do not depend on this property. Default: on.
+   */
+  vtkSetMacro(ReuseDecomposition, bool);
+  vtkGetMacro(ReuseDecomposition, bool);
+  vtkBooleanMacro(ReuseDecomposition, bool);
+  ///@}
+
+  ///@{
+  /**
    * How levels get their numbers of vertices. Without effect on contours.
    * - SUBSET (default): levels are steps of the carving. They have vertices of the input only.
    * - ENCLOSING_COLLAPSE: a step that has been carved further is decimated by edge collapses, as in
@@ -583,6 +594,7 @@ protected:
   int LevelTargetType = VERTICES;
   int LevelSimplification = SUBSET;
   int NumberOfThreads = 0;
+  bool ReuseDecomposition = true;
   int MaximumVertices = 0;
   std::vector<double> Targets;
 

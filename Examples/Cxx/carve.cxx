@@ -192,6 +192,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   report.Clock.Record("read");
   carver->SetInputDataObject(0, input);
   SetProperties(options, carver);
+  carver->ReuseDecompositionOff();
   ShowProgressOf(carver);
   carver->Update();
   EraseProgress();

@@ -7,6 +7,7 @@
  */
 #include "Core/Protocol/Protocol.h"
 #include "Core/Protocol/SecondsSince.h"
+#include "Core/Solid/DropSolid.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
@@ -97,12 +98,29 @@ StrategyHost HostOf(Reporter& reporter, const std::function<bool()>& write)
     [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
 }
 
+/** Drops the solid from a result if the job asks for that. An enclosing result stays whole. */
+void DropSolidOf(const Job& job, Reply& reply, Reporter& reporter)
+{
+  if (job.DropSolid != 0 && reply.Error.empty() && reply.Result.Kept.empty())
+  {
+    reporter.Begin(Stage::Classify);
+    reply.Regions = Classify(reply.Result, job.Solid, job.Processes);
+    DropSolid(reply.Result, reply.Regions);
+    reporter.End();
+  }
+}
+
 /** Returns whether a reply has been written. */
 bool TetrahedralizeGiven(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   Reporter reporter(reply);
   CleanGiven(job, reply, reporter);
-  return TryStrategies(job, reply, HostOf(reporter, write)) || write();
+  const auto writeResult = [&]
+  {
+    DropSolidOf(job, reply, reporter);
+    return write();
+  };
+  return TryStrategies(job, reply, HostOf(reporter, writeResult)) || write();
 }
 
 void TriangulateGiven(const Job& job, Reply& reply)
@@ -176,6 +194,7 @@ bool WriteReply(const HostLink& link, Reply& reply)
   if (!reply.Error.empty())
   {
     reply.Result = {};
+    reply.Regions = {};
     reply.Plane = {};
     reply.Decimation = {};
   }
@@ -196,8 +215,13 @@ bool Resume(std::istream& in, const HostLink& link)
   Job job;
   Reply reply;
   Reporter reporter(reply);
-  return ResumeStrategies(
-    in, job, reply, HostOf(reporter, [&] { return WriteReply(link, reply); }));
+  return ResumeStrategies(in, job, reply,
+    HostOf(reporter,
+      [&]
+      {
+        DropSolidOf(job, reply, reporter);
+        return WriteReply(link, reply);
+      }));
 }
 
 } // namespace

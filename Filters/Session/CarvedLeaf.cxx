@@ -12,45 +12,46 @@
 namespace
 {
 
-/** Classifies and carves. Returns false if the filter is to stop. */
+/** The regions of the decomposition, unless the helper program has classified them. */
 template <int D>
-bool Carve(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
-  carving::Classification& regions, carving::Stream& stream, CarvedLeaf<D>& carved)
+carving::Classification Classify(
+  DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages)
 {
-  const carving::Decomposition<D>& mesh = Kind<D>::GetResult(leaf.Reply);
+  if (Kind<D>::IsWithoutSolid(leaf.Reply))
   {
-    const CarverStages::Timer timer(stages, ClassifyStage);
-    regions = carving::Classify(mesh, settings.Solid, settings.ThreadsOfLeaf);
+    return std::move(leaf.Reply.Regions);
   }
-  carved.GuessedRegions = static_cast<int>(std::count_if(regions.Regions.begin(),
-    regions.Regions.end(), [](const carving::Region& region) { return region.Guessed; }));
-  if (!stages.Report(ClassifyStage, 1.0))
-  {
-    return false;
-  }
-  const CarverStages::Timer timer(stages, CarveStage);
+  const CarverStages::Timer timer(stages, static_cast<int>(carving::Stage::Classify));
+  return carving::Classify(Kind<D>::GetResult(leaf.Reply), settings.Solid, settings.ThreadsOfLeaf);
+}
+
+/** Carves. Returns false if the filter is to stop. */
+template <int D>
+bool Carve(const carving::Decomposition<D>& mesh, const carving::Classification& regions,
+  const CarverSettings& settings, CarverStages& stages, carving::Stream& stream)
+{
   carving::CarveOptions options = settings.Carve;
   if (settings.DepthIsDistance)
   {
     options.Depths = ComputeInitialDistances(mesh);
   }
-  if (!carving::Carve(mesh, regions, options, stream,
-        [&stages](double fraction) { return stages.Report(CarveStage, fraction); }))
+  return carving::Carve(mesh, regions, options, stream,
+    [&stages](double fraction) { return stages.Report(CarveStage, fraction); });
+}
+
+/** Moves the mesh and the stream if the mesh is without the solid, and else copies. */
+template <int D>
+carving::StoredStream<D> Store(
+  DecomposedLeaf<D>& leaf, const carving::Classification& regions, carving::Stream& stream)
+{
+  if constexpr (D == 3)
   {
-    return false;
+    if (!regions.SolidRegions.empty())
+    {
+      return carving::Store(std::move(leaf.Reply.Result), regions, std::move(stream));
+    }
   }
-  if (carving::HasLimits(options.Budget))
-  {
-    carved.LeftByBudget = carving::CountLeft(regions, options, stream);
-  }
-  carved.Stream = carving::Store(mesh, regions, stream);
-  if constexpr (D == 2)
-  {
-    leaf.Input.Restore(carved.Stream.Mesh.Surface.Points);
-  }
-  carved.Stream.Measure = options.Measure;
-  carved.Stream.Folds = settings.Folds;
-  return true;
+  return carving::Store(Kind<D>::GetResult(leaf.Reply), regions, stream);
 }
 
 /**
@@ -62,13 +63,16 @@ bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carv
   const carving::Classification& regions, const carving::Stream& stream, CarvedLeaf<D>& carved)
 {
   const CarverStages::Timer timer(stages, MeasureStage);
+  const bool isMoved = !regions.SolidRegions.empty();
+  const carving::Decomposition<D>& mesh =
+    isMoved ? carved.Stream.Mesh : Kind<D>::GetResult(leaf.Reply);
   carving::StreamTopology topology;
   carving::ForEach(settings.ThreadsOfLeaf, 2,
     [&](int part)
     {
       if (part == 0)
       {
-        topology = carving::ComputeTopology(Kind<D>::GetResult(leaf.Reply), regions, stream);
+        topology = carving::ComputeTopology(mesh, regions, isMoved ? carved.Stream.Order : stream);
       }
       else
       {
@@ -82,7 +86,7 @@ bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carv
   {
     return true;
   }
-  const carving::ResolvedInput<D>& unresolved = Kind<D>::GetResult(leaf.Reply).Unresolved;
+  const carving::ResolvedInput<D>& unresolved = mesh.Unresolved;
   const bool conforming = unresolved.Facets.empty();
   return carving::ComputeErrors(carved.Stream, conforming ? carved.Stream.Mesh.Surface : unresolved,
     conforming, carved.Profile.Error,
@@ -92,16 +96,39 @@ bool Measure(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, Carv
 } // namespace
 
 template <int D>
-bool CarveLeaf(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
+bool CarveLeaf(DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
   CarvedLeaf<D>& carved)
 {
-  carving::Classification regions;
+  const carving::Classification regions = Classify(leaf, settings, stages);
+  carved.GuessedRegions = static_cast<int>(std::count_if(regions.Regions.begin(),
+    regions.Regions.end(), [](const carving::Region& region) { return region.Guessed; }));
+  if (!stages.Report(static_cast<int>(carving::Stage::Classify), 1.0))
+  {
+    return false;
+  }
   carving::Stream stream;
-  return Carve(leaf, settings, stages, regions, stream, carved) &&
-    Measure(leaf, settings, stages, regions, stream, carved);
+  {
+    const CarverStages::Timer timer(stages, CarveStage);
+    if (!Carve(Kind<D>::GetResult(leaf.Reply), regions, settings, stages, stream))
+    {
+      return false;
+    }
+    if (carving::HasLimits(settings.Carve.Budget))
+    {
+      carved.LeftByBudget = carving::CountLeft(regions, settings.Carve, stream);
+    }
+    carved.Stream = Store(leaf, regions, stream);
+    if constexpr (D == 2)
+    {
+      leaf.Input.Restore(carved.Stream.Mesh.Surface.Points);
+    }
+    carved.Stream.Measure = settings.Carve.Measure;
+    carved.Stream.Folds = settings.Folds;
+  }
+  return Measure(leaf, settings, stages, regions, stream, carved);
 }
 
 template bool CarveLeaf<2>(
-  const DecomposedLeaf<2>&, const CarverSettings&, CarverStages&, CarvedLeaf<2>&);
+  DecomposedLeaf<2>&, const CarverSettings&, CarverStages&, CarvedLeaf<2>&);
 template bool CarveLeaf<3>(
-  const DecomposedLeaf<3>&, const CarverSettings&, CarverStages&, CarvedLeaf<3>&);
+  DecomposedLeaf<3>&, const CarverSettings&, CarverStages&, CarvedLeaf<3>&);

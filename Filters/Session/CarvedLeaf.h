@@ -24,10 +24,11 @@ struct CarvedLeaf
 };
 
 /**
- * Classifies the regions, carves, and measures the steps. Returns false if the filter is to stop.
+ * Classifies the regions, carves, and measures the steps. Moves the decomposition if it is without
+ * the solid: then no other update can use it. Returns false if the filter is to stop.
  */
 template <int D>
-bool CarveLeaf(const DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
+bool CarveLeaf(DecomposedLeaf<D>& leaf, const CarverSettings& settings, CarverStages& stages,
   CarvedLeaf<D>& carved);
 
 #endif

@@ -18,6 +18,7 @@
  * - GatherInitial: gathers the mesh for InitialApproximation::Custom. Returns an empty string, or
  *   an error.
  * - GetResult: the decomposition in a reply of the helper program.
+ * - IsWithoutSolid: whether the solid has been dropped from it.
  * - Fill: moves the input into a job for the helper program.
  */
 template <int D>
@@ -34,6 +35,10 @@ struct Kind<3>
   static const carving::Decomposition<3>& GetResult(const carving::Reply& reply)
   {
     return reply.Result;
+  }
+  static bool IsWithoutSolid(const carving::Reply& reply)
+  {
+    return !reply.Regions.SolidRegions.empty();
   }
   static void Fill(carving::Job& job, Input& input, Input& initial)
   {
@@ -54,6 +59,10 @@ struct Kind<2>
   static const carving::Decomposition<2>& GetResult(const carving::Reply& reply)
   {
     return reply.Plane;
+  }
+  static bool IsWithoutSolid(const carving::Reply&)
+  {
+    return false;
   }
   static void Fill(carving::Job& job, Input& input, Input& initial)
   {

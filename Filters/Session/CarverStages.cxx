@@ -10,11 +10,10 @@
 namespace
 {
 
-constexpr const char* OwnStageNames[] = { "transfer", "classify", "carve", "measure", "simplify",
-  "output" };
+constexpr const char* OwnStageNames[] = { "transfer", "carve", "measure", "simplify", "output" };
 
 /** The fraction of an update at which each stage begins; typical for a mesh of medium size. */
-constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.2, 0.8, 0.84, 0.86,
+constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.2, 0.8, 0.82, 0.86,
   0.9, 0.93, 0.93, 1.0 };
 
 } // namespace

@@ -19,7 +19,6 @@ class vtkAlgorithm;
 enum CarverStage
 {
   TransferStage = carving::NumberOfStages,
-  ClassifyStage,
   CarveStage,
   MeasureStage,
   SimplifyStage,

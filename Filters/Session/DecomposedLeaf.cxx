@@ -48,7 +48,7 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* 
     leaf = this->FinishRun(*this->FindRun(input));
     this->Runs.erase(this->FindRun(input));
   }
-  if (leaf)
+  if (leaf && this->Settings.Reuse)
   {
     this->Used.push_back(leaf);
   }
@@ -143,6 +143,7 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
     carving::Job job;
     static_cast<carving::HelperOptions&>(job) = this->Settings;
     job.Solid = this->Settings.Solid;
+    job.DropSolid = !this->Settings.Reuse && !this->Settings.NeedsSolid;
     job.Processes = this->ThreadsOfLeaf;
     Kind<D>::Fill(job, leaf.Input, leaf.Initial);
     run.Error = CheckMemory(job);
@@ -181,7 +182,10 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run& ru
     vtkErrorWithObjectMacro(this->Filter, << run.Error);
     return nullptr;
   }
-  this->Kept.push_back(run.Leaf);
+  if (this->Settings.Reuse)
+  {
+    this->Kept.push_back(run.Leaf);
+  }
   return run.Leaf;
 }
 

@@ -43,7 +43,7 @@ template <int D>
 class DecomposedLeaves
 {
 public:
-  using LeafPointer = std::shared_ptr<const DecomposedLeaf<D>>;
+  using LeafPointer = std::shared_ptr<DecomposedLeaf<D>>;
 
   DecomposedLeaves(vtkAlgorithm* filter, CarverStages& stages)
     : Filter(filter)

@@ -12,6 +12,8 @@
 struct HelperSettings : carving::HelperOptions
 {
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
+  bool NeedsSolid = true; ///< also where it is not reused, the reply has the cells of the solid
+  bool Reuse = true;      ///< later updates may use the reply
 };
 
 /**

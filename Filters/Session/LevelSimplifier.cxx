@@ -19,10 +19,10 @@ using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-const carving::ResolvedMesh& GetMesh(const carving::Decomposition<3>& decomposition)
+const carving::ResolvedMesh& GetMesh(const DecomposedLeaf<3>& leaf, const CarvedLeaf<3>& carved)
 {
-  const bool conforming = decomposition.Unresolved.Facets.empty();
-  return conforming ? decomposition.Surface : decomposition.Unresolved;
+  const carving::ResolvedMesh& unresolved = leaf.Reply.Result.Unresolved;
+  return unresolved.Facets.empty() ? carved.Stream.Mesh.Surface : unresolved;
 }
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
@@ -68,7 +68,7 @@ LevelSimplifier::LevelSimplifier(
   const DecomposedLeaf<3>& leaf, CarvedLeaf<3>& carved, CarverStages& stages)
   : Carved(carved)
   , Stages(stages)
-  , Mesh(GetMesh(leaf.Reply.Result))
+  , Mesh(GetMesh(leaf, carved))
   , Distance(this->Mesh)
 {
 }

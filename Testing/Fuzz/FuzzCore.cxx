@@ -5,7 +5,9 @@
  */
 #include "Carving.h"
 #include "Chain.h"
+#include "Core/Measure/StreamTopology.h"
 #include "Core/Mesh/Validity.h"
+#include "Core/Solid/DropSolid.h"
 #include "Core/Stream/Level.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 using namespace carving;
 
@@ -162,6 +165,27 @@ void CheckDamaged(Bytes& bytes, StoredStream<D> stored, const std::vector<int>& 
   }
 }
 
+/** Without the cells of the solid, a decomposition is valid and has the same stream and topology. */
+void CheckWithoutSolid(Tetrahedralization mesh, SolidRule rule)
+{
+  Classification regions = Classify(mesh, rule);
+  Stream order;
+  Require(Carve(mesh, regions, {}, order, {}));
+  const StoredStream<3> expected = Store(mesh, regions, order);
+  const StreamTopology topology = ComputeTopology(mesh, regions, order);
+  DropSolid(mesh, regions);
+  Require(FindMistake(mesh, regions.SolidRegions).empty());
+  Require(Carve(mesh, regions, {}, order, {}));
+  const StoredStream<3> found = Store(std::move(mesh), regions, std::move(order));
+  Require(found.Mesh.Cells == expected.Mesh.Cells);
+  Require(found.Mesh.Neighbors == expected.Mesh.Neighbors);
+  Require(found.Order.Step == expected.Order.Step);
+  Require(found.Sides == expected.Sides);
+  const StreamTopology same = ComputeTopology(found.Mesh, regions, found.Order);
+  Require(same.Components == topology.Components);
+  Require(same.Tunnels == topology.Tunnels && same.Voids == topology.Voids);
+}
+
 template <int D>
 void Check(Bytes& bytes)
 {
@@ -176,6 +200,13 @@ void Check(Bytes& bytes)
   CheckBudget(mesh, carved);
   CheckChain(carved);
   CheckRestoring(carved.Stored);
+  if constexpr (D == 3)
+  {
+    if (mesh.Kept.empty())
+    {
+      CheckWithoutSolid(mesh, static_cast<SolidRule>(bytes.Below(3)));
+    }
+  }
   CheckDamaged(bytes, carved.Stored, carved.Steps);
 }
 

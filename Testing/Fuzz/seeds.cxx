@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
     write("protocol", 3 * i, '\0' + Written(MakeJob(i)));
     write("protocol", 3 * i + 1, '\1' + RandomBytes(63, random) + Written(MakeReply(i, random)));
     write("protocol", 3 * i + 2,
-      '\2' + ProgressLine({ static_cast<Stage>(i % 4), i / 64.0, "TetGen" }));
+      '\2' + ProgressLine({ static_cast<Stage>(i % NumberOfStages), i / 64.0, "TetGen" }));
   }
   return 0;
 }

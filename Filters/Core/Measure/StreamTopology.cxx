@@ -32,8 +32,15 @@ public:
       this->Count += !this->Present[vertex];
       this->Present[vertex] = 1;
     }
-    int set = this->Sets.Find(corners[0]);
-    for (const int vertex : corners)
+    this->Join(corners);
+  }
+
+  /** Connects vertices that are present. */
+  template <class Vertices>
+  void Join(const Vertices& vertices)
+  {
+    int set = this->Sets.Find(vertices[0]);
+    for (const int vertex : vertices)
     {
       const int other = this->Sets.Find(vertex);
       if (other != set)
@@ -63,14 +70,37 @@ private:
   std::vector<char> Present;
 };
 
+/** Connects the facets of M around each region of the solid whose cells the mesh lacks. */
 template <int D>
-std::vector<int> CountComponents(const Decomposition<D>& mesh, const Stream& stream)
+void JoinAroundSolid(
+  const Decomposition<D>& mesh, const Classification& regions, GrowingComponents& components)
+{
+  constexpr int none = -1;
+  std::vector<int> vertexOf(regions.Regions.size(), none);
+  for (std::size_t facet = 0; facet < regions.SolidRegions.size(); ++facet)
+  {
+    const int vertex = mesh.Surface.Facets[facet][0];
+    for (const int region : regions.SolidRegions[facet])
+    {
+      if (region >= 0)
+      {
+        vertexOf[region] = vertexOf[region] == none ? vertex : vertexOf[region];
+        components.Join(std::array<int, 2>{ vertex, vertexOf[region] });
+      }
+    }
+  }
+}
+
+template <int D>
+std::vector<int> CountComponents(
+  const Decomposition<D>& mesh, const Classification& regions, const Stream& stream)
 {
   GrowingComponents components(mesh.Surface.Points.size());
   for (const auto& facet : mesh.Surface.Facets)
   {
     components.Add(facet);
   }
+  JoinAroundSolid(mesh, regions, components);
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
     if (stream.Step[cell] == Stream::Never)
@@ -153,7 +183,7 @@ StreamTopology ComputeTopology(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream)
 {
   StreamTopology result;
-  result.Components = CountComponents(mesh, stream);
+  result.Components = CountComponents(mesh, regions, stream);
   result.Voids = D == 3 ? CountVoids(regions, stream) : std::vector<int>(stream.LastStep() + 1, 0);
   result.Tunnels = ComputeEulerCharacteristics(mesh, stream);
   for (std::size_t step = 0; step < result.Tunnels.size(); ++step)

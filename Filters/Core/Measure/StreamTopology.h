@@ -23,6 +23,7 @@ namespace carving
  * remains one void, since carving in the region proceeds from there. In the plane there are no
  * voids. Tunnels (in the plane, holes) follow from the Euler characteristic: V - E + F - T =
  * components - tunnels + voids. Takes O(n alpha(n)) time for n cells.
+ * The mesh may lack the cells of the solid (DropSolid).
  */
 template <int D>
 StreamTopology ComputeTopology(

@@ -128,9 +128,24 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
   return fromBelow == fromAbove;
 }
 
-/** Whether every facet is exactly one face, either on the boundary or between two cells. */
+/**
+ * Whether a face of a cell on a facet has missing cells of the solid on its far side, exactly if the
+ * neighbor says so.
+ */
 template <int D>
-bool FacetsAreFaces(const Decomposition<D>& mesh)
+bool AgreesWithSolid(const Decomposition<D>& mesh, int cell, int f, const std::array<int, 2>& solid)
+{
+  const std::array<int, D>& facet = mesh.Surface.Facets[mesh.Constraints[cell][f]];
+  const int side = SameDirection<D>(mesh.OutwardFace(cell, f), facet) ? 0 : 1;
+  return solid[side] < 0 && (solid[1 - side] >= 0) == (mesh.Neighbors[cell][f] == Solid);
+}
+
+/**
+ * Whether every facet is exactly one face, either on the boundary or between two cells, and the
+ * solid lies behind facets only. A facet in the missing solid is no face.
+ */
+template <int D>
+bool FacetsAreFaces(const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides)
 {
   constexpr int none = -1;
   std::vector<int> cells(mesh.Surface.Facets.size(), none);
@@ -141,25 +156,39 @@ bool FacetsAreFaces(const Decomposition<D>& mesh)
       const int facet = mesh.Constraints[cell][f];
       if (facet < 0)
       {
+        if (mesh.Neighbors[cell][f] == Solid)
+        {
+          return false;
+        }
         continue;
       }
       const std::array<int, D> face = mesh.OutwardFace(cell, f);
       const std::array<int, D>& corners = mesh.Surface.Facets[facet];
       if (!std::is_permutation(face.begin(), face.end(), corners.begin()) ||
-        (cells[facet] != none && cells[facet] != mesh.Neighbors[cell][f]))
+        (cells[facet] != none && cells[facet] != mesh.Neighbors[cell][f]) ||
+        (!solidSides.empty() && !AgreesWithSolid(mesh, cell, f, solidSides[facet])))
       {
         return false;
       }
       cells[facet] = cell;
     }
   }
-  return std::find(cells.begin(), cells.end(), none) == cells.end();
+  for (std::size_t facet = 0; facet < solidSides.size(); ++facet)
+  {
+    const auto [behind, inFront] = solidSides[facet];
+    if (cells[facet] == none && behind < 0 && inFront < 0)
+    {
+      return false;
+    }
+  }
+  return !solidSides.empty() || std::find(cells.begin(), cells.end(), none) == cells.end();
 }
 
 } // namespace
 
 template <int D>
-std::string FindMistake(const Decomposition<D>& mesh)
+std::string FindMistake(
+  const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides)
 {
   for (const ResolvedInput<D>* input : { &mesh.Surface, &mesh.Unresolved })
   {
@@ -171,7 +200,8 @@ std::string FindMistake(const Decomposition<D>& mesh)
   }
   if (mesh.Neighbors.size() != mesh.Cells.size() || mesh.Constraints.size() != mesh.Cells.size() ||
     (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()) ||
-    mesh.MetShares.size() != mesh.Unresolved.Facets.size())
+    mesh.MetShares.size() != mesh.Unresolved.Facets.size() ||
+    (!solidSides.empty() && solidSides.size() != mesh.Surface.Facets.size()))
   {
     return "arrays that belong together differ in length";
   }
@@ -183,7 +213,7 @@ std::string FindMistake(const Decomposition<D>& mesh)
   {
     return "a vertex index is out of range";
   }
-  if (!IndicesWithin(mesh.Neighbors, Outside, mesh.Cells.size()) ||
+  if (!IndicesWithin(mesh.Neighbors, solidSides.empty() ? Outside : Solid, mesh.Cells.size()) ||
     !IndicesWithin(mesh.Constraints, -1, mesh.Surface.Facets.size()))
   {
     return "a neighbor or constraint index is out of range";
@@ -196,14 +226,16 @@ std::string FindMistake(const Decomposition<D>& mesh)
   {
     return "neighboring tetrahedra disagree about their common face";
   }
-  if (!FacetsAreFaces(mesh))
+  if (!FacetsAreFaces(mesh, solidSides))
   {
     return "a facet does not match exactly one face";
   }
   return {};
 }
 
-template std::string FindMistake<2>(const Decomposition<2>&);
-template std::string FindMistake<3>(const Decomposition<3>&);
+template std::string FindMistake<2>(
+  const Decomposition<2>&, const std::vector<std::array<int, 2>>&);
+template std::string FindMistake<3>(
+  const Decomposition<3>&, const std::vector<std::array<int, 2>>&);
 
 } // namespace carving

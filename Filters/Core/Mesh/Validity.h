@@ -50,10 +50,13 @@ bool CornersDiffer(const Tuples& tuples)
 /**
  * The first violation of the contract of Decomposition, or an empty string. Checks array lengths,
  * indices, the agreement of neighbors, cells and facets, and that coordinates are finite. Does not
- * check whether cells overlap in space.
+ * check whether cells overlap in space. `solidSides` has, per facet of M, behind it and in front of
+ * it, a negative number or one that stands for cells of the solid that the mesh lacks; it is empty
+ * if the mesh has all cells.
  */
 template <int D>
-std::string FindMistake(const Decomposition<D>& mesh);
+std::string FindMistake(
+  const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides = {});
 
 } // namespace carving
 

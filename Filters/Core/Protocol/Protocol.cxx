@@ -16,8 +16,8 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'C' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'B' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'D' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'C' };
 
 class Writer
 {
@@ -122,6 +122,7 @@ void VisitJob(Archive& archive, JobType& job)
 {
   archive.Value(job.Kind);
   archive.Value(job.Solid);
+  archive.Value(job.DropSolid);
   archive.Value(job.Initial);
   archive.Value(job.Conformity);
   archive.Value(job.Strategy);
@@ -186,6 +187,9 @@ void VisitReply(Archive& archive, ReplyType& reply)
 {
   archive.Array(reply.Error);
   VisitDecomposition(archive, reply.Result);
+  archive.Array(reply.Regions.RegionOfCell);
+  archive.Array(reply.Regions.Regions);
+  archive.Array(reply.Regions.SolidRegions);
   VisitDecomposition(archive, reply.Plane);
   VisitDecimation(archive, reply.Decimation);
   archive.Array(reply.Strategy);
@@ -201,6 +205,24 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);
   archive.Array(reply.StageSeconds);
+}
+
+/** Returns an empty string, or the first mistake in the regions of a mesh without its solid. */
+std::string FindMistake(const Classification& regions, const Tetrahedralization& mesh)
+{
+  if (regions.SolidRegions.empty())
+  {
+    return regions.RegionOfCell.empty() && regions.Regions.empty() ? "" : "regions are incomplete";
+  }
+  if (regions.RegionOfCell.size() != mesh.Cells.size() || !mesh.Kept.empty())
+  {
+    return "regions do not fit the tetrahedra";
+  }
+  const std::size_t count = regions.Regions.size();
+  const bool within = IndicesWithin(regions.SolidRegions, -1, count) &&
+    std::all_of(regions.RegionOfCell.begin(), regions.RegionOfCell.end(),
+      [count](int region) { return region >= 0 && static_cast<std::size_t>(region) < count; });
+  return within ? "" : "a region index is out of range";
 }
 
 /** Returns an empty string, or the first mistake. */
@@ -221,7 +243,7 @@ std::string FindMistake(const Decimation& decimation)
 const char* StageName(Stage stage)
 {
   static constexpr const char* names[NumberOfStages] = { "clean", "resolve", "attempts",
-    "tetrahedralize" };
+    "tetrahedralize", "classify" };
   return names[static_cast<int>(stage)];
 }
 
@@ -304,7 +326,8 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
     return "the reply is incomplete";
   }
   std::string mistake = FindMistake(reply.Decimation);
-  mistake = mistake.empty() ? FindMistake(reply.Result) : mistake;
+  mistake = mistake.empty() ? FindMistake(reply.Result, reply.Regions.SolidRegions) : mistake;
+  mistake = mistake.empty() ? FindMistake(reply.Regions, reply.Result) : mistake;
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }
 

@@ -135,6 +135,8 @@ struct Job : HelperOptions
   int Processes = 1; ///< that may work at a time; the reply depends on it in its seconds only
   /** If TetGen fails with M, a strategy omits triangles with solid on both sides by this rule. */
   SolidRule Solid = SolidRule::SurfaceOnly;
+  /** Nonzero: an exact result is classified by this rule, and has no tetrahedra of the solid. */
+  int DropSolid = 0;
   TriangleMesh Mesh;
   TriangleMesh InitialMesh;     ///< for InitialApproximation::Custom
   ContourSet Contours;          ///< for JobKind::Triangulate
@@ -149,9 +151,10 @@ enum class Stage : int
   Clean,
   Resolve,
   Attempts, ///< those that failed, whatever they did
-  Tetrahedralize
+  Tetrahedralize,
+  Classify
 };
-constexpr int NumberOfStages = 4;
+constexpr int NumberOfStages = 5;
 const char* StageName(Stage stage);
 
 /** How far the helper's work is. */
@@ -167,6 +170,7 @@ struct Reply
   /** Empty on success; otherwise a message for the user, and the rest is unspecified. */
   std::string Error;
   Tetrahedralization Result;
+  Classification Regions; ///< of `Result`, if the solid has been dropped from it; else empty
   Decomposition<2> Plane;
   carving::Decimation Decimation;
   std::string Strategy;      ///< the strategy that succeeded

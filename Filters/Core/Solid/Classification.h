@@ -52,13 +52,18 @@ struct Region
    * The rule had to guess because M is open or inconsistently oriented: the winding number is not
    * within 0.1 of an integer, or the parity depends on the path.
    */
-  bool Guessed = false;
+  char Guessed = 0;
 };
 
 struct Classification
 {
   std::vector<int> RegionOfCell;
   std::vector<Region> Regions;
+  /**
+   * Per facet of M, behind it and in front of it: the region of the solid there, or -1. Filled by
+   * DropSolid; empty while the mesh has the tetrahedra of the solid.
+   */
+  std::vector<std::array<int, 2>> SolidRegions;
 
   RegionKind Kind(int cell) const
   {

@@ -4,6 +4,8 @@
 #include "Core/Mesh/Adjacency.h"
 #include "Core/Mesh/Validity.h"
 
+#include <utility>
+
 namespace carving
 {
 namespace
@@ -86,6 +88,22 @@ StoredStream<D> Store(
     {
       neighbor = neighbor < 0 ? neighbor : newIndex[neighbor];
     }
+  }
+  FindSides(result, solidSides);
+  return result;
+}
+
+StoredStream<3> Store(Tetrahedralization&& mesh, const Classification& regions, Stream&& stream)
+{
+  StoredStream<3> result;
+  result.Mesh = std::move(mesh);
+  result.Order = std::move(stream);
+  result.Regions = regions.RegionOfCell;
+  std::vector<int> solidSides;
+  solidSides.reserve(regions.SolidRegions.size());
+  for (const auto& [behind, inFront] : regions.SolidRegions)
+  {
+    solidSides.push_back((behind >= 0 ? 1 : 0) + (inFront >= 0 ? 2 : 0));
   }
   FindSides(result, solidSides);
   return result;

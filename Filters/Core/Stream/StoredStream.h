@@ -75,6 +75,9 @@ template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
 
+/** Stores a carving of a mesh without the cells of the solid; see DropSolid. Copies no array. */
+StoredStream<3> Store(Tetrahedralization&& mesh, const Classification& regions, Stream&& stream);
+
 /**
  * Restores a stream that was read from a file: computes `Mesh.Neighbors`, `Mesh.Constraints` and
  * `Sides` from cells and facets. `solidSides` has per facet 1 for solid behind it plus 2 for solid

@@ -134,7 +134,10 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
   {
     meanwhile = [&] { return resolved = isResolved(); };
   }
-  if (this->MayRecover() && IsNearDelaunay(this->TheReply.Result.Surface))
+  const auto start = std::chrono::steady_clock::now();
+  const bool isNear = this->MayRecover() && IsNearDelaunay(this->TheReply.Result.Surface);
+  this->TheReply.StageSeconds[static_cast<int>(Stage::Tetrahedralize)] += SecondsSince(start);
+  if (isNear)
   {
     if (this->TryRecovery(RecoveryEffort::Little, meanwhile))
     {

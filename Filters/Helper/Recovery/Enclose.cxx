@@ -144,9 +144,10 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   result = {};
   result.Surface.PointSources = input.PointSources;
   WriteCells(*mesh, result);
+  result.Kept.resize(result.Cells.size());
   for (const Cell cell : mesh->GetDelaunay().finite_cell_handles())
   {
-    result.Kept.push_back(cell->info().IsPierced());
+    result.Kept[cell->info().Index] = cell->info().IsPierced();
   }
   WriteFaces(*mesh, input, result);
   result.Unresolved = input;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Protocol/Protocol.h"
+#include "Core/Solid/DropSolid.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ Reply MakeReply()
   reply.Limits = "a limit\n";
   reply.IntersectingPairs = 7;
   reply.SnapDistance = 0.125;
-  reply.StageSeconds = { 0.25, 0.5, 0.75, 1.0 };
+  reply.StageSeconds = { 0.25, 0.5, 0.75, 1.0, 1.25 };
   // A tetrahedron, of which an edge collapses into a new point: two triangles are left.
   Decimation& decimation = reply.Decimation;
   decimation.Chain = { 4, 4, 1,
@@ -63,6 +64,7 @@ TEST(Protocol, RestoresAJob)
   job.TimeLimit = 2.0;
   job.MemoryLimit = 3.0;
   job.Solid = SolidRule::EvenOdd;
+  job.DropSolid = 1;
   job.Mesh = { { { 1, 2, 3 }, { 4, 5, 6 }, { 0.1, 0.2, 0.3 } }, { { 2, 1, 0 } } };
   job.InitialMesh = { { { 7, 8, 9 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } } };
   job.Contours = { { { 1, 1, 0 }, { 2, 1, 0 } }, { { 0, 1 } } };
@@ -76,6 +78,7 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.Kind, job.Kind);
   EXPECT_TRUE(static_cast<HelperOptions&>(restored) == job);
   EXPECT_EQ(restored.Solid, job.Solid);
+  EXPECT_EQ(restored.DropSolid, 1);
   EXPECT_EQ(restored.Mesh.Points, job.Mesh.Points);
   EXPECT_EQ(restored.Mesh.Triangles, job.Mesh.Triangles);
   EXPECT_EQ(restored.InitialMesh.Points, job.InitialMesh.Points);
@@ -114,6 +117,35 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(decimation.Surfaces[0].Collapses, 1);
   EXPECT_EQ(decimation.Surfaces[0].Reached, 0);
   EXPECT_EQ(decimation.Surfaces[0].Error, 0.5);
+}
+
+// A reply without the solid is read as it was written, and rejected if its regions do not fit.
+TEST(Protocol, RestoresRegions)
+{
+  Reply reply = MakeReply();
+  reply.Regions = Classify(reply.Result);
+  DropSolid(reply.Result, reply.Regions);
+  const std::string bytes = Written(reply);
+  Reply restored;
+  ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
+  EXPECT_EQ(restored.Regions.RegionOfCell, reply.Regions.RegionOfCell);
+  EXPECT_EQ(restored.Regions.SolidRegions, reply.Regions.SolidRegions);
+  ASSERT_EQ(restored.Regions.Regions.size(), 2u);
+  EXPECT_EQ(restored.Regions.Regions[1].Kind, RegionKind::Solid);
+  EXPECT_EQ(restored.Regions.Regions[1].Winding, 1.0);
+  const auto mistakeAfter = [&](const std::function<void(Classification&)>& change)
+  {
+    Reply changed = reply;
+    change(changed.Regions);
+    return ReadReply(Written(changed));
+  };
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.RegionOfCell.pop_back(); }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.RegionOfCell[0] = 2; }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.RegionOfCell[0] = -1; }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.Regions.pop_back(); }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.SolidRegions.pop_back(); }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.SolidRegions.clear(); }), "");
+  EXPECT_NE(mistakeAfter([](Classification& c) { c.SolidRegions[0] = { -1, 1 }; }), "");
 }
 
 // A chain of collapses is rejected if its faces name points that do not exist, do not add up to two

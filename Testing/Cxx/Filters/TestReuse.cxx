@@ -185,6 +185,42 @@ TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
   EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
 }
 
+// Without reuse, every update runs the helper program, and the outputs are the same: for a mesh that
+// is met and one that is enclosed, with a budget, and for one that is in a scene twice.
+TEST(Reuse, GivesTheSameWithout)
+{
+  vtkNew<vtkMultiBlockDataSet> twice;
+  const auto boxes = TwoBoxes();
+  twice->SetBlock(0, boxes);
+  twice->SetBlock(1, boxes);
+  const std::pair<vtkSmartPointer<vtkDataObject>, Setter> cases[] = {
+    { ToPolyData(models::Torus(2.0, 0.8, 12, 8)), Nothing },
+    { ToPolyData(models::Torus(2.0, 0.8, 12, 8)), [](auto* c) { c->SetMaximumTunnels(0); } },
+    { ToPolyData(models::Torus(2.0, 0.8, 12, 8)),
+      [](auto* c) { c->SetSolidRule(c->SURFACE_ONLY); } },
+    { boxes, [](auto* c) { c->SetDepthMeasure(c->DISTANCE); } },
+    { Soup(), Nothing },
+    { twice.Get(), Nothing },
+  };
+  for (const auto& [input, set] : cases)
+  {
+    vtkNew<vtkTopologyCarver> with, without;
+    without->ReuseDecompositionOff();
+    for (vtkTopologyCarver* carver : { with.Get(), without.Get() })
+    {
+      set(carver);
+      Carve(carver, input);
+    }
+    for (int port = 0; port < 3; ++port)
+    {
+      ExpectEqualData(without->GetOutputDataObject(port), with->GetOutputDataObject(port));
+    }
+  }
+  const Setter off = [](auto* c) { c->ReuseDecompositionOff(); };
+  EXPECT_TRUE(RunsAgain(TwoBoxes(), off, [](auto* c) { c->AddLevelTarget(16); }));
+  EXPECT_TRUE(RunsAgain(TwoBoxes(), off, [](auto* c) { c->ReuseDecompositionOn(); }));
+}
+
 // For contours, only the initial approximation runs the helper program again.
 TEST(Reuse, KeepsContours)
 {

@@ -53,6 +53,7 @@ void DrawSettings(std::mt19937_64& random, vtkTopologyCarver* carver)
   carver->SetManifoldOutput(below(2) != 0);
   carver->SetAppendInput(below(2) != 0);
   carver->SetEnclosingTolerance(0.01 * (1 + below(10)));
+  carver->SetReuseDecomposition(below(2) != 0);
   carver->SetNumberOfLevels(4);
   // Both sides of a fold cancel in the sums below, so that folds bound no volume.
   carver->KeepBothFoldSidesOn();

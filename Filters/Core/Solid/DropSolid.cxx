@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solid/DropSolid.h"
+
+#include <algorithm>
+
+namespace carving
+{
+namespace
+{
+
+/** Notes the region of a tetrahedron of the solid at the facets of M on its boundary. */
+void NoteFacets(const Tetrahedralization& mesh, int cell, Classification& regions)
+{
+  for (int f = 0; f < 4; ++f)
+  {
+    const int facet = mesh.Constraints[cell][f];
+    if (facet >= 0)
+    {
+      const bool behind = SameDirection<3>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]);
+      regions.SolidRegions[facet][behind ? 0 : 1] = regions.RegionOfCell[cell];
+    }
+  }
+}
+
+} // namespace
+
+void DropSolid(Tetrahedralization& mesh, Classification& regions)
+{
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  regions.SolidRegions.assign(mesh.Surface.Facets.size(), { -1, -1 });
+  std::vector<int> newIndex(numberOfCells, Solid);
+  int stored = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (regions.Kind(cell) == RegionKind::Solid)
+    {
+      NoteFacets(mesh, cell, regions);
+      continue;
+    }
+    newIndex[cell] = stored;
+    mesh.Cells[stored] = mesh.Cells[cell];
+    mesh.Neighbors[stored] = mesh.Neighbors[cell];
+    mesh.Constraints[stored] = mesh.Constraints[cell];
+    regions.RegionOfCell[stored] = regions.RegionOfCell[cell];
+    ++stored;
+  }
+  const auto resize = [stored](auto&... arrays) { (arrays.resize(stored), ...); };
+  resize(mesh.Cells, mesh.Neighbors, mesh.Constraints, regions.RegionOfCell);
+  for (auto& neighbors : mesh.Neighbors)
+  {
+    for (int& neighbor : neighbors)
+    {
+      neighbor = neighbor < 0 ? neighbor : newIndex[neighbor];
+    }
+  }
+}
+
+} // namespace carving

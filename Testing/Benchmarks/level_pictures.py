@@ -7,11 +7,31 @@ import os
 import numpy as np
 from show_levels import render, write_picture
 from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import reference
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 PIXELS = 512
 # To the corners, the middles of the edges and the middles of the faces of a cube.
+ROOM = 1.2  # for levels around the mesh
 DIRECTIONS = [d for d in itertools.product((-1, 0, 1), repeat=3) if any(d)]
+
+
+def view_up(direction):
+    return (0, 0, 1) if direction[0] or direction[1] else (0, 1, 0)
+
+
+def crosses(surface, tolerance):
+    """A function that says whether a line from one point to another meets the surface, in double precision."""
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(surface)
+    locator.BuildLocator()
+
+    def meets(begin, end):
+        return locator.IntersectWithLine(begin, end, tolerance, reference(0.0), [0.0] * 3, [0.0] * 3, reference(0),
+                                         reference(0)) != 0
+
+    return meets
 
 
 class Silhouettes:
@@ -27,6 +47,7 @@ class Silhouettes:
         self.window.SetSize(PIXELS, PIXELS)
         self.renderer = vtkRenderer()
         self.window.AddRenderer(self.renderer)
+        self.mesh = mesh
         self.of_mesh = self.draw(mesh)
 
     def draw(self, surface):
@@ -43,10 +64,10 @@ class Silhouettes:
     def look(self, direction):
         camera = self.renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
-        camera.SetParallelScale(1.2 * self.radius)  # room for levels around the mesh
+        camera.SetParallelScale(ROOM * self.radius)
         camera.SetFocalPoint(self.center)
         camera.SetPosition(self.center + 4.0 * self.radius * direction / np.linalg.norm(direction))
-        camera.SetViewUp((0, 0, 1) if direction[0] or direction[1] else (0, 1, 0))
+        camera.SetViewUp(view_up(direction))
         camera.SetClippingRange(self.radius, 7.0 * self.radius)
         self.window.Render()
         grab = vtkWindowToImageFilter()
@@ -55,10 +76,29 @@ class Silhouettes:
         grab.Update()
         return vtk_to_numpy(grab.GetOutput().GetPointData().GetScalars())[:, 0] > 0
 
+    def line_through(self, direction, pixel):
+        """The ends of the line of sight through the middle of a pixel, counted from the lower left one."""
+        toward = direction / np.linalg.norm(direction)
+        right = np.cross(view_up(direction), toward)
+        right /= np.linalg.norm(right)
+        x, y = (2.0 * (np.array([pixel % PIXELS, pixel // PIXELS]) + 0.5) / PIXELS - 1.0) * ROOM * self.radius
+        middle = self.center + x * right + y * np.cross(toward, right)
+        return middle + 3.0 * self.radius * toward, middle - 3.0 * self.radius * toward
+
     def compare(self, surface):
-        """The intersection over the union of all pixels, and the number of pixels of the mesh that are lost."""
+        """The intersection over the union of all pixels, and the number of pixels of the mesh that are lost.
+
+        A graphics library rounds positions to fractions of a pixel. So a pixel that it has lost counts only if the line
+        through its middle meets the mesh, but not the surface.
+        """
         other = self.draw(surface)
-        return (self.of_mesh & other).sum() / (self.of_mesh | other).sum(), (self.of_mesh & ~other).sum()
+        of_mesh, of_surface = crosses(self.mesh, 0.0), crosses(surface, 1e-9 * self.radius)
+        lost = 0
+        for direction, pixels in zip(DIRECTIONS, self.of_mesh & ~other):
+            for pixel in np.flatnonzero(pixels):
+                line = self.line_through(np.array(direction, dtype=float), pixel)
+                lost += of_mesh(*line) and not of_surface(*line)
+        return (self.of_mesh & other).sum() / (self.of_mesh | other).sum(), lost
 
 
 class Page:

@@ -425,9 +425,10 @@ public:
    * The number of processors to use. As many leaves of a composite input are worked on at a time:
    * while one is carved, helper programs decompose the next ones. Fewer run where the memory of the
    * machine would not suffice. If there are more processors than leaves, several work on each leaf:
-   * TetGen runs while crossings are searched for, and winding numbers, the profile and levels are
-   * computed by several threads. The outputs do not depend on this number. With 0, the default, as
-   * many as vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0.
+   * TetGen runs while crossings are searched for, winding numbers, the profile and levels are computed
+   * by several threads, and trials of simplified levels run beside each other. The outputs do not
+   * depend on this number. With 0, the default, as many as
+   * vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);

@@ -19,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +135,7 @@ int vtkEnclosingDecimation::RequestData(
   }
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;
+  job.Processes = vtkSMPTools::GetEstimatedNumberOfThreads();
   job.Mesh = std::move(gathered.Mesh);
   job.Decimation.Type = static_cast<carving::DecimationTarget>(this->TargetType);
   job.Decimation.Nested = this->Nested;

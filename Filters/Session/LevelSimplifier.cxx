@@ -4,10 +4,10 @@
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
-#include "Process/HelperProcess.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace
@@ -83,8 +83,8 @@ void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
     trial.Targets.end());
 }
 
-/** Decimates the step of a trial. Returns false if the filter is to stop. */
-bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, LevelTrial& trial)
+/** Starts to decimate the step of a trial, unless no target is in reach. */
+std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial& trial) const
 {
   const carving::StoredStream<3>& stream = this->Carved.Stream;
   const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
@@ -98,7 +98,7 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   }
   if (trial.Targets.empty())
   {
-    return true;
+    return std::nullopt;
   }
   trial.Points = cut.Points;
   for (const carving::FaceLife<3>& face : level.Faces)
@@ -107,6 +107,7 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
   }
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;
+  job.Processes = this->Threads;
   job.Mesh = { this->Mesh.Points, this->Mesh.Facets };
   job.Surface.Triangles = cut.Faces;
   for (const int point : cut.Points)
@@ -114,12 +115,18 @@ bool LevelSimplifier::RunTrial(LevelTarget type, double begin, double end, Level
     job.Surface.Points.push_back(stream.Mesh.Surface.Points[point]);
   }
   job.Decimation = { AsDecimationTarget(type), trial.Targets, 0 };
+  HelperProcess process;
+  trial.Error = process.Start(job);
+  return trial.Error.empty() ? std::make_optional(std::move(process)) : std::nullopt;
+}
+
+/** Waits for the decimated step of a trial. Returns false if the filter is to stop. */
+bool LevelSimplifier::Finish(HelperProcess& process, double begin, double end, LevelTrial& trial)
+{
   carving::Reply reply;
-  const HelperProcess::Outcome outcome = HelperProcess::Run(
-    job, reply,
-    [&](const carving::WorkProgress& progress)
+  const HelperProcess::Outcome outcome = process.Wait([&](const carving::WorkProgress& progress)
     { return this->Stages.Report(SimplifyStage, begin + (end - begin) * progress.Fraction); },
-    trial.Error);
+    reply, trial.Error);
   trial.Result = std::move(reply.Decimation);
   trial.Error += reply.Error;
   return outcome != HelperProcess::Outcome::Aborted;
@@ -166,21 +173,55 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
     trial.Targets.end());
 }
 
-/** Runs trials as a part of the stage. Returns false if the filter is to stop. */
-bool LevelSimplifier::RunTrials(
-  const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end)
+/** Runs trials at the same time. Returns false if the filter is to stop. */
+bool LevelSimplifier::RunTogether(
+  LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last)
 {
-  const double share = (end - begin) / std::max<std::size_t>(trials.size(), 1);
-  for (LevelTrial& trial : trials)
+  std::vector<std::optional<HelperProcess>> processes;
+  for (LevelTrial* trial = first; trial != last; ++trial)
   {
-    this->DropHopelessTargets(targets, trial);
-    if (!trial.Targets.empty() &&
-      !this->RunTrial(targets.front().Type, begin, begin + share, trial))
+    processes.push_back(trial->Targets.empty() ? std::nullopt : this->Start(type, *trial));
+  }
+  for (std::optional<HelperProcess>& process : processes)
+  {
+    if (process && !this->Finish(*process, begin, begin + share, *first))
     {
       return false;
     }
     begin += share;
-    this->Trials.push_back(std::move(trial));
+    ++first;
+  }
+  return true;
+}
+
+/**
+ * Runs trials as a part of the stage, in pairs if a processor is free. Returns false if the filter
+ * is to stop.
+ */
+bool LevelSimplifier::RunTrials(
+  const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end)
+{
+  constexpr std::size_t pair = 2;
+  const std::size_t atOnce = this->Threads > 1 ? pair : 1;
+  const double share = (end - begin) / std::max<std::size_t>(trials.size(), 1);
+  for (std::size_t first = 0; first < trials.size(); first += pair)
+  {
+    // Before both, so that the results do not depend on the number of threads.
+    const std::size_t last = std::min(first + pair, trials.size());
+    for (std::size_t i = first; i < last; ++i)
+    {
+      this->DropHopelessTargets(targets, trials[i]);
+    }
+    for (std::size_t i = first; i < last; i += atOnce)
+    {
+      LevelTrial* trial = &trials[i];
+      if (!this->RunTogether(targets.front().Type, begin + i * share, share, trial,
+            trial + std::min(atOnce, last - i)))
+      {
+        return false;
+      }
+    }
+    std::move(trials.begin() + first, trials.begin() + last, std::back_inserter(this->Trials));
   }
   return this->Stages.Report(SimplifyStage, end);
 }
@@ -259,6 +300,7 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
   {
     return true;
   }
+  this->Threads = settings.ThreadsOfLeaf;
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round)
   {

@@ -8,9 +8,11 @@
 #define LevelSimplifier_h
 
 #include "Core/Mesh/FaceDistance.h"
+#include "Process/HelperProcess.h"
 #include "Session/CarvedLeaf.h"
 #include "Session/LevelTrials.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,7 +42,10 @@ private:
 
   bool RunTrials(
     const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end);
-  bool RunTrial(carving::LevelTarget type, double begin, double end, LevelTrial& trial);
+  bool RunTogether(
+    carving::LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last);
+  std::optional<HelperProcess> Start(carving::LevelTarget type, LevelTrial& trial) const;
+  bool Finish(HelperProcess& process, double begin, double end, LevelTrial& trial);
   static void DropNumbersOutOfReach(LevelTrial& trial);
   void DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const;
   double FindLeastError(int step, double enough) const;
@@ -52,6 +57,7 @@ private:
   const carving::ResolvedMesh& Mesh; ///< M
   carving::FaceDistance<3> Distance; ///< from M
   std::vector<LevelTrial> Trials;    ///< that have been run
+  int Threads = 1;                   ///< that may work at a time
 };
 
 #endif

@@ -132,7 +132,7 @@ struct HelperOptions
 struct Job : HelperOptions
 {
   JobKind Kind = JobKind::Tetrahedralize;
-  int Processes = 1; ///< that may work at a time; the reply depends on it in its seconds only
+  int Processes = 1; ///< or threads that may work at a time; only seconds depend on it
   /** If TetGen fails with M, a strategy omits triangles with solid on both sides by this rule. */
   SolidRule Solid = SolidRule::SurfaceOnly;
   /** Nonzero: an exact result is classified by this rule, and has no tetrahedra of the solid. */

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -72,49 +73,83 @@ void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& res
   result.PointSources.resize(result.Points.size(), -1);
 }
 
-/** The largest distance of any point of the surface from a mesh. */
-double MeasureError(const SurfaceMesh& surface, const FaceDistance<3>& distance)
+/** A copy that stays while the surface changes. Removed vertices keep their places. */
+TriangleMesh CopyOf(const SurfaceMesh& surface)
 {
-  const auto faces = surface.faces();
-  const auto distanceOf = [&](Face face, double enough)
+  TriangleMesh copy;
+  copy.Points.resize(surface.num_vertices());
+  for (const Vertex vertex : surface.vertices())
+  {
+    copy.Points[vertex] = surface.point(vertex);
+  }
+  copy.Triangles.reserve(surface.number_of_faces());
+  for (const Face face : surface.faces())
+  {
+    Triangle& corners = copy.Triangles.emplace_back();
+    std::size_t k = 0;
+    for (const Vertex vertex : CGAL::vertices_around_face(surface.halfedge(face), surface))
+    {
+      corners[k++] = static_cast<int>(vertex);
+    }
+  }
+  return copy;
+}
+
+/** The largest distance of any point of the surface from a mesh. */
+double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance)
+{
+  const auto cornersOf = [&](std::size_t i)
+  {
+    const auto [a, b, c] = surface.Triangles[i];
+    return std::array<Point, 3>{ surface.Points[a], surface.Points[b], surface.Points[c] };
+  };
+  const auto distanceOf = [&](std::size_t i, double enough)
   {
     constexpr int anyNumber = std::numeric_limits<int>::max();
-    return distance.Compute(CornersOf(surface, face), anyNumber, enough).Upper;
+    return distance.Compute(cornersOf(i), anyNumber, enough).Upper;
   };
   // A sample finds a face that is about as far as any: then it takes few queries to show that the
   // others are not farther.
-  constexpr int sampled = 16;
-  Face farthest = *faces.begin();
+  constexpr std::size_t sampled = 16;
+  std::size_t farthest = 0;
   double lower = 0.0;
-  int index = 0;
-  for (const Face face : faces)
+  for (std::size_t i = 0; i < surface.Triangles.size(); i += sampled)
   {
-    if (index++ % sampled == 0)
+    const double known = distance.Compute(cornersOf(i), 1).Lower;
+    if (known > lower)
     {
-      const double known = distance.Compute(CornersOf(surface, face), 1).Lower;
-      if (known > lower)
-      {
-        lower = known;
-        farthest = face;
-      }
+      lower = known;
+      farthest = i;
     }
   }
   double largest = distanceOf(farthest, 0.0);
-  for (const Face face : faces)
+  for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    largest = std::max(largest, distanceOf(face, largest));
+    largest = std::max(largest, distanceOf(i, largest));
   }
   return largest;
 }
 
 /** Decimates a surface once per target. Returns an empty string, or an error. */
 std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
-  const DecimationOptions& options, const Progress& progress,
+  const DecimationOptions& options, int threads, const Progress& progress,
   std::vector<DecimatedSurface>& results)
 {
   const SurfaceMesh& surface = decimator.GetSurface();
   const bool byError = options.Type == DecimationTarget::ErrorBound;
   const double all = std::log(static_cast<double>(surface.number_of_vertices()));
+  const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
+  std::future<double> error; // of the last result, measured while the next one is made
+  const auto finish = [&]
+  {
+    if (error.valid())
+    {
+      DecimatedSurface& result = results.back();
+      result.Error = error.get();
+      result.Reached =
+        byError ? result.Error <= options.Targets[results.size() - 1] : result.Reached;
+    }
+  };
   for (const double target : options.Targets)
   {
     if (byError)
@@ -145,17 +180,23 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
     {
       return "stopped";
     }
-    const double error = MeasureError(surface, fromM);
-    results.push_back(
-      { decimator.GetNumberOfCollapses(), byError ? error <= target : reached, error });
+    finish();
+    results.push_back({ decimator.GetNumberOfCollapses(), reached, 0.0 });
+    error =
+      std::async(policy, [&fromM, copy = CopyOf(surface)] { return MeasureError(copy, fromM); });
+    if (threads <= 1)
+    {
+      finish();
+    }
   }
+  finish();
   return {};
 }
 
 } // namespace
 
 std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
-  const DecimationOptions& options, Decimation& result, const Progress& progress)
+  const DecimationOptions& options, Decimation& result, const Progress& progress, int threads)
 {
   ResolvedMesh original;
   std::string mistake = Prepare(given, original);
@@ -178,7 +219,7 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     }
     Decimator decimator(
       AsSurfaceMesh(original), fromM, fromGiven ? *fromGiven : fromM, options.Nested);
-    mistake = Decimate(decimator, fromM, options, progress, result.Surfaces);
+    mistake = Decimate(decimator, fromM, options, threads, progress, result.Surfaces);
     if (!mistake.empty())
     {
       return mistake;

@@ -21,10 +21,12 @@ namespace carving::helper
  *
  * Equal points of the surface are merged, unless the surface is closed without that. The surface
  * may be oriented outward or inward. Returns an empty string, or an error for the user: the surface
- * is open, not manifold or crosses itself.
+ * is open, not manifold or crosses itself. With several threads, the error of each result is
+ * measured while the next one is made.
  */
 std::string DecimateEnclosing(const TriangleMesh& surface, const TriangleMesh& mesh,
-  const DecimationOptions& options, Decimation& result, const Progress& progress = {});
+  const DecimationOptions& options, Decimation& result, const Progress& progress = {},
+  int threads = 1);
 
 } // namespace carving::helper
 

@@ -21,6 +21,8 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -71,6 +73,27 @@ void CarveSimplified(vtkTopologyCarver* carver, int type, const std::vector<doub
 }
 
 } // namespace
+
+// Trials that run beside each other give the same levels as trials that run one after the other.
+TEST(LevelSimplification, GivesTheSameForAnyNumberOfThreads)
+{
+  const std::pair<int, std::vector<double>> cases[] = {
+    { vtkTopologyCarver::VERTICES, { 30, 60, 150 } },
+    { vtkTopologyCarver::ERROR_BOUND, { 0.2, 0.05 } },
+  };
+  for (const auto& [type, targets] : cases)
+  {
+    vtkNew<vtkTopologyCarver> one, several;
+    one->SetNumberOfThreads(1);
+    several->SetNumberOfThreads(3);
+    CarveSimplified(one, type, targets);
+    CarveSimplified(several, type, targets);
+    for (int port = 0; port < 3; ++port)
+    {
+      ExpectEqualData(one->GetOutputDataObject(port), several->GetOutputDataObject(port));
+    }
+  }
+}
 
 // Levels have the numbers of vertices or triangles that are asked for, and are closed.
 TEST(LevelSimplification, ReachesNumbers)

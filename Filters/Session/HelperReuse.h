@@ -12,8 +12,8 @@
 struct HelperSettings : carving::HelperOptions
 {
   carving::SolidRule Solid = carving::SolidRule::NonzeroWinding;
-  bool NeedsSolid = true; ///< also where it is not reused, the reply has the cells of the solid
   bool Reuse = true;      ///< later updates may use the reply
+  bool NeedsSolid = true; ///< carving needs the tetrahedra of the solid, even without reuse
 };
 
 /**

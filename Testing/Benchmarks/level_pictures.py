@@ -12,8 +12,8 @@ from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
 
 PIXELS = 512
-# To the corners, the middles of the edges and the middles of the faces of a cube.
 ROOM = 1.2  # for levels around the mesh
+# To the corners, the middles of the edges and the middles of the faces of a cube.
 DIRECTIONS = [d for d in itertools.product((-1, 0, 1), repeat=3) if any(d)]
 
 

@@ -129,8 +129,8 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
 }
 
 /**
- * Whether a face of a cell on a facet has missing cells of the solid on its far side, exactly if the
- * neighbor says so.
+ * Whether a cell's face on a facet has no solid on the cell's side, and has missing solid on the far
+ * side if and only if the neighbor there is Solid.
  */
 template <int D>
 bool AgreesWithSolid(const Decomposition<D>& mesh, int cell, int f, const std::array<int, 2>& solid)
@@ -141,8 +141,8 @@ bool AgreesWithSolid(const Decomposition<D>& mesh, int cell, int f, const std::a
 }
 
 /**
- * Whether every facet is exactly one face, either on the boundary or between two cells, and the
- * solid lies behind facets only. A facet in the missing solid is no face.
+ * Whether every facet is exactly one face, either on the boundary or between two cells, and missing
+ * solid adjoins cells at facets only. A facet inside the missing solid is no face of a cell.
  */
 template <int D>
 bool FacetsAreFaces(const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides)

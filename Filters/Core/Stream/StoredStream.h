@@ -75,7 +75,10 @@ template <int D>
 StoredStream<D> Store(
   const Decomposition<D>& mesh, const Classification& regions, const Stream& stream);
 
-/** Stores a carving of a mesh without the cells of the solid; see DropSolid. Copies no array. */
+/**
+ * Stores a carving of a mesh without the cells of the solid; see DropSolid. The arrays of the mesh
+ * and of the stream are moved.
+ */
 StoredStream<3> Store(Tetrahedralization&& mesh, const Classification& regions, Stream&& stream);
 
 /**

@@ -7,7 +7,6 @@
 
 namespace carving::helper
 {
-
 namespace
 {
 

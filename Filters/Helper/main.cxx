@@ -92,12 +92,6 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
-StrategyHost HostOf(Reporter& reporter, const std::function<bool()>& write)
-{
-  return { [&](Stage stage) { reporter.Begin(stage); },
-    [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); }, write };
-}
-
 /** Drops the solid from a result if the job asks for that. An enclosing result stays whole. */
 void DropSolidOf(const Job& job, Reply& reply, Reporter& reporter)
 {
@@ -110,17 +104,25 @@ void DropSolidOf(const Job& job, Reply& reply, Reporter& reporter)
   }
 }
 
+/** The services of this program for strategies, which drop the solid before they write. */
+StrategyHost HostOf(
+  const Job& job, Reply& reply, Reporter& reporter, const std::function<bool()>& write)
+{
+  return { [&](Stage stage) { reporter.Begin(stage); },
+    [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); },
+    [&, write]
+    {
+      DropSolidOf(job, reply, reporter);
+      return write();
+    } };
+}
+
 /** Returns whether a reply has been written. */
 bool TetrahedralizeGiven(const Job& job, Reply& reply, const std::function<bool()>& write)
 {
   Reporter reporter(reply);
   CleanGiven(job, reply, reporter);
-  const auto writeResult = [&]
-  {
-    DropSolidOf(job, reply, reporter);
-    return write();
-  };
-  return TryStrategies(job, reply, HostOf(reporter, writeResult)) || write();
+  return TryStrategies(job, reply, HostOf(job, reply, reporter, write)) || write();
 }
 
 void TriangulateGiven(const Job& job, Reply& reply)
@@ -216,13 +218,8 @@ bool Resume(std::istream& in, const HostLink& link)
   Job job;
   Reply reply;
   Reporter reporter(reply);
-  return ResumeStrategies(in, job, reply,
-    HostOf(reporter,
-      [&]
-      {
-        DropSolidOf(job, reply, reporter);
-        return WriteReply(link, reply);
-      }));
+  return ResumeStrategies(
+    in, job, reply, HostOf(job, reply, reporter, [&] { return WriteReply(link, reply); }));
 }
 
 } // namespace

@@ -163,6 +163,14 @@ bool SameDirection(const std::array<int, D>& a, const std::array<int, D>& b)
   }
 }
 
+/** The side on which a cell lies of the facet at its face f: 0 behind, 1 in front. */
+template <int D>
+int SideOfFacet(const Decomposition<D>& mesh, int cell, int f)
+{
+  const int facet = mesh.Constraints[cell][f];
+  return SameDirection<D>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]) ? 0 : 1;
+}
+
 /** The same facet with the opposite orientation. */
 template <int D>
 std::array<int, D> Flipped(std::array<int, D> facet)

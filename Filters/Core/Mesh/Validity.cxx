@@ -135,8 +135,7 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
 template <int D>
 bool AgreesWithSolid(const Decomposition<D>& mesh, int cell, int f, const std::array<int, 2>& solid)
 {
-  const std::array<int, D>& facet = mesh.Surface.Facets[mesh.Constraints[cell][f]];
-  const int side = SameDirection<D>(mesh.OutwardFace(cell, f), facet) ? 0 : 1;
+  const int side = SideOfFacet(mesh, cell, f);
   return solid[side] < 0 && (solid[1 - side] >= 0) == (mesh.Neighbors[cell][f] == Solid);
 }
 

@@ -119,8 +119,7 @@ std::vector<std::vector<Crossing>> FindCrossings(
       const int neighbor = mesh.Neighbors[cell][f];
       const int to = result.RegionOfCell[cell];
       const int from = neighbor < 0 ? outside : result.RegionOfCell[neighbor];
-      const bool behind = SameDirection<D>(
-        mesh.OutwardFace(static_cast<int>(cell), f), mesh.Surface.Facets[triangle]);
+      const bool behind = SideOfFacet(mesh, static_cast<int>(cell), f) == 0;
       const int winding = mesh.Surface.SignedMultiplicities[triangle];
       crossings[from].push_back(
         { to, behind ? winding : -winding, mesh.Surface.Multiplicities[triangle] });

@@ -16,8 +16,7 @@ void NoteFacets(const Tetrahedralization& mesh, int cell, Classification& region
     const int facet = mesh.Constraints[cell][f];
     if (facet >= 0)
     {
-      const bool behind = SameDirection<3>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]);
-      regions.SolidRegions[facet][behind ? 0 : 1] = regions.RegionOfCell[cell];
+      regions.SolidRegions[facet][SideOfFacet(mesh, cell, f)] = regions.RegionOfCell[cell];
     }
   }
 }

@@ -29,8 +29,7 @@ void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
       const int facet = mesh.Constraints[cell][f];
       if (facet >= 0)
       {
-        const bool behind = SameDirection<D>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]);
-        stream.Sides[facet][behind ? 0 : 1] = HalfFace<D>::Of(cell, f);
+        stream.Sides[facet][SideOfFacet(mesh, cell, f)] = HalfFace<D>::Of(cell, f);
       }
     }
   }
@@ -77,8 +76,7 @@ StoredStream<D> Store(
       const int facet = mesh.Constraints[cell][f];
       if (facet >= 0)
       {
-        const bool behind = SameDirection<D>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]);
-        solidSides[facet] |= behind ? 1 : 2;
+        solidSides[facet] |= 1 << SideOfFacet(mesh, cell, f);
       }
     }
   }

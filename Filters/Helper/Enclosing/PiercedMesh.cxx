@@ -63,7 +63,7 @@ PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& fu
   const int count = static_cast<int>(input.Facets.size());
   for (int t = 0; t < count; ++t)
   {
-    this->Place(t);
+    this->Settle(t);
     if (t % 1000 == 0)
     {
       progress(static_cast<double>(t) / count);
@@ -79,7 +79,7 @@ Corners3 PiercedMesh::CornersOf(int part) const
 }
 
 /** Finds the contacts of a part that is a face, as most parts are, without a search. */
-bool PiercedMesh::PlaceOnFace(int part)
+bool PiercedMesh::SettleOnFace(int part)
 {
   const Triangle& corners = this->Parts.GetParts()[part].Corners;
   Cell cell;
@@ -139,7 +139,6 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
   {
     const Cell cell = stack.back();
     stack.pop_back();
-    ++this->Effort;
     if (!visit(cell))
     {
       continue;
@@ -175,11 +174,11 @@ bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 }
 
 /** Finds the tetrahedra that a part meets. */
-void PiercedMesh::Place(int part)
+void PiercedMesh::Settle(int part)
 {
   const Corners3 corners = this->CornersOf(part);
   // A part that rounding leaves without area needs no contacts: its neighbors have them.
-  if (!this->PlaceOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
+  if (!this->SettleOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
   {
     const Piercer piercer(corners);
     this->Walk(part, piercer, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
@@ -209,104 +208,6 @@ void PiercedMesh::Forget(int part)
     [&](const Cell& cell) { return cell->info().Remove(part); });
 }
 
-/** Removes parts, calls `meanwhile`, and adds parts. */
-void PiercedMesh::Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile)
-{
-  for (const int part : change.Gone)
-  {
-    this->Forget(part);
-  }
-  meanwhile();
-  for (const int part : change.Made)
-  {
-    this->Place(part);
-  }
-}
-
-bool PiercedMesh::PutOnPart(int part, const Point& p)
-{
-  const int corner = this->Parts.GetParts()[part].Corners[0];
-  return this->Put(p, this->Vertices[corner]->cell(), true,
-    [&](int vertex) { return this->Parts.SplitPart(part, vertex); });
-}
-
-bool PiercedMesh::PutOnEdge(int a, int b, const Point& p)
-{
-  return this->Put(p, this->Vertices[a]->cell(), true,
-    [&](int vertex) { return this->Parts.SplitEdge(a, b, vertex); });
-}
-
-bool PiercedMesh::PutOff(const Point& p, const Cell& near)
-{
-  return this->Put(p, near, false, [](int) { return Subdivision::Change(); });
-}
-
-bool PiercedMesh::TakeFaces(int part)
-{
-  const auto areFaces = [this](int a, int b, int c)
-  {
-    Cell cell;
-    int i = 0, j = 0, k = 0;
-    return this->Mesh.is_facet(
-      this->Vertices[a], this->Vertices[b], this->Vertices[c], cell, i, j, k);
-  };
-  Subdivision::Change change;
-  const bool taken = this->Parts.SwapTie(part, areFaces, change);
-  this->Replace(change, [] {});
-  return taken;
-}
-
-bool PiercedMesh::Put(const Point& p, const Cell& near, bool outsideToo,
-  const std::function<Subdivision::Change(int)>& split)
-{
-  Delaunay::Locate_type type;
-  int i = 0, j = 0;
-  const Cell start = this->Mesh.locate(ToInexact(p), type, i, j, near);
-  if (type == Delaunay::VERTEX || (type == Delaunay::OUTSIDE_CONVEX_HULL && !outsideToo))
-  {
-    return false;
-  }
-  const int vertex = this->Parts.AddPoint(p);
-  this->Replace(split(vertex), [&] { this->Insert(vertex, start); });
-  return true;
-}
-
-std::vector<int> PiercedMesh::PartsAt(const std::vector<Cell>& cells)
-{
-  std::vector<int> parts;
-  for (const Cell& cell : cells)
-  {
-    for (const PartContact& contact : cell->info().All)
-    {
-      parts.push_back(contact.Part);
-    }
-  }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  return parts;
-}
-
-/**
- * Inserts a point into the tetrahedralization. Parts that met removed tetrahedra may meet the new
- * ones.
- */
-void PiercedMesh::Insert(int vertex, const Cell& start)
-{
-  const Inexact::Point_3 p = ToInexact(this->Parts.GetPoints()[vertex]);
-  std::vector<Cell> cells;
-  Delaunay::Facet facet;
-  this->Mesh.find_conflicts(
-    p, start, CGAL::Oneset_iterator<Delaunay::Facet>(facet), std::back_inserter(cells));
-  const std::vector<int> parts = PartsAt(cells);
-  const Vertex v =
-    this->Mesh.insert_in_hole(p, cells.begin(), cells.end(), facet.first, facet.second);
-  v->info().Index = vertex;
-  this->Vertices.push_back(v);
-  std::vector<Cell> star;
-  this->Mesh.finite_incident_cells(v, std::back_inserter(star));
-  this->MeetAll(parts, star);
-}
-
 /**
  * Records the contacts of parts with cells. Where points in a plane are off it by a rounding, both
  * are numerous and few of them meet.
@@ -329,7 +230,6 @@ void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>
     [&](const IndexedBox& part, const IndexedBox& cell)
     { pairs.emplace_back(part.Index, cell.Index - firstCell); });
   std::sort(pairs.begin(), pairs.end());
-  this->Effort += pairs.size();
   for (auto pair = pairs.begin(); pair != pairs.end();)
   {
     const int part = pair->first;

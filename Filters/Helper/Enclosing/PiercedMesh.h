@@ -44,21 +44,6 @@ public:
   PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
     const std::function<bool(double)>& progress);
 
-  /**
-   * Insert a point at p, on a part, on an edge of parts, or off all parts, where the point must be
-   * within the hull and the search for it starts from the cell `near`. Return false, and insert
-   * nothing, if there already is a vertex or if the point is outside.
-   */
-  bool PutOnPart(int part, const Point& p);
-  bool PutOnEdge(int a, int b, const Point& p);
-  bool PutOff(const Point& p, const Cell& near);
-
-  /**
-   * Replaces a part and a neighbor that pierce tetrahedra because of rounding only by two parts
-   * that are faces. Returns whether that is possible.
-   */
-  bool TakeFaces(int part);
-
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 
@@ -74,6 +59,65 @@ public:
   /** The tetrahedra that the segment between two vertices crosses; none if it is an edge. */
   std::vector<Cell> FindCells(int a, int b);
 
+  /** Removes parts, which others may replace. */
+  void TakeParts(const std::vector<int>& parts);
+
+  /** Adds a part of a triangle of M. */
+  void GivePart(const Triangle& corners, int parent);
+
+  /** Whether an edge may not vanish. */
+  using EdgePredicate = std::function<bool(int, int)>;
+
+  /**
+   * Put a vertex at a point that is on an edge or on a face except for rounding. The tetrahedra
+   * there are split, and the parts that have the edge or are the face. If rounding turns one of the
+   * tetrahedra over, more of them are replaced, but no protected edge vanishes. Return the vertex;
+   * -1, and do nothing, if that fails.
+   */
+  int SplitEdge(int a, int b, const Point& p, const EdgePredicate& isProtected);
+  int SplitFace(const Cell& cell, int f, const Point& p, const EdgePredicate& isProtected);
+
+  /**
+   * Replace the two tetrahedra at a face by three, or the three at an edge by two, unless the face or
+   * the edge belongs to a part or a new tetrahedron would be nearly flat. Return whether they did.
+   */
+  bool FlipFace(const Cell& cell, int f);
+  bool FlipEdge(int a, int b);
+
+  /** What has become of a tetrahedron without volume. */
+  struct Flattened
+  {
+    bool IsRemoved = false;
+    int Crossing = -1; ///< the vertex that was made where both edges cross; -1: none
+    std::array<std::array<int, 2>, 2> Edges = {};
+  };
+
+  /** Removes a tetrahedron whose corners are in one plane except for rounding. */
+  Flattened RemoveFlat(const Cell& cell, const EdgePredicate& isProtected);
+
+  /**
+   * Removes a vertex that is not M's own by moving it to a neighbor for which `mayMove` returns true.
+   * Triangles of M stay the same but for rounding. Returns the neighbor; -1: there is none.
+   */
+  int RemoveVertex(int vertex, const std::function<bool(int)>& mayMove);
+
+  /** Starts a walk over tetrahedra, in which each is pushed once. */
+  void BeginWalk()
+  {
+    ++this->NumberOfWalks;
+  }
+  void Push(const Cell& cell, std::vector<Cell>& stack);
+  void PushStar(const Vertex& v, std::vector<Cell>& stack);
+
+  /** The vertex of an index; none if it has been removed. */
+  Vertex GetVertex(int index) const
+  {
+    return this->Vertices[index];
+  }
+
+  /** All tetrahedra around an edge, infinite ones, too; none if there is no such edge. */
+  std::vector<Cell> FindCellsAround(int a, int b) const;
+
   /** A new vertex, for Refill. */
   Vertex AddVertex(const Point& p);
 
@@ -88,11 +132,6 @@ public:
   std::vector<Cell> Refill(
     const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);
 
-  /** The number of comparisons of parts with tetrahedra so far: the work that has been done. */
-  std::size_t GetEffort() const
-  {
-    return this->Effort;
-  }
   const Delaunay& GetDelaunay() const
   {
     return this->Mesh;
@@ -104,27 +143,49 @@ public:
   Corners3 CornersOf(int part) const;
 
 private:
-  bool Put(const Point& p, const Cell& near, bool outsideToo,
-    const std::function<Subdivision::Change(int)>& split);
-  void Insert(int vertex, const Cell& start);
+  using FaceKey = std::array<int, 3>; ///< the corners of a face in ascending order
+  /** The parts that meet some cells. */
+  struct PartsOfCells
+  {
+    std::vector<std::pair<FaceKey, int>> OnFaces; ///< those that are whole faces
+    std::vector<int> Others;
+  };
+
+  /** Where a vertex is put. */
+  struct Place
+  {
+    Point At;
+    std::vector<Cell> Cells;               ///< that have the point on an edge or a face
+    bool OnHull = false;                   ///< whether further cells are infinite
+    std::vector<std::array<int, 2>> Edges; ///< that are split
+    std::vector<int> Parts;                ///< that are split
+  };
+
+  Place PlaceOnEdge(int a, int b, const Point& p) const;
+  Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
+  int Split(const Place& place, const std::function<Vertex()>& insert);
+  int SplitStar(const Place& place, const EdgePredicate& isProtected);
+  Subdivision::Change SplitParts(const Place& place, int vertex);
+  Flattened RemoveCrossed(const Cell& cell, const std::array<std::vector<int>, 2>& faces,
+    const EdgePredicate& isProtected);
+  bool RemoveCovered(const Cell& cell, int f);
   bool Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
-  void Place(int part);
-  bool PlaceOnFace(int part);
+  void Settle(int part);
+  bool SettleOnFace(int part);
   void Forget(int part);
-  void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
+  PartsOfCells Collect(const std::vector<Cell>& cells) const;
+  void Renew(const std::vector<Cell>& cells, const PartsOfCells& parts);
+  int TakeIndex(const Point& p);
+  void SetVertex(int index, const Vertex& v);
   template <class Visit>
   void Walk(int part, const Piercer& piercer, const Visit& visit);
-  void PushStar(const Vertex& v, std::vector<Cell>& stack);
-  void Push(const Cell& cell, std::vector<Cell>& stack);
-
-  static std::vector<int> PartsAt(const std::vector<Cell>& cells);
 
   Subdivision Parts;
   Delaunay Mesh;
   std::vector<Vertex> Vertices;
+  std::vector<int> Free; ///< the indices of removed vertices
   unsigned NumberOfWalks = 0;
-  std::size_t Effort = 0;
   std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
 

@@ -6,8 +6,6 @@
 #include "Helper/Enclosing/PiercedMesh.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 namespace carving::helper
 {
@@ -20,28 +18,39 @@ class FaceJoiner
 public:
   using Structure = PiercedMesh::Delaunay::Triangulation_data_structure;
 
-  explicit FaceJoiner(Structure& structure)
-    : Cells(structure)
-  {
-  }
-
   void Add(const PiercedMesh::Cell& cell, int f)
   {
     const auto& [a, b, c] = FaceCorners[f];
-    std::array<PiercedMesh::Vertex, 3> face = { cell->vertex(a), cell->vertex(b), cell->vertex(c) };
-    std::sort(face.begin(), face.end());
-    const auto [other, isFirst] = this->Open.try_emplace(face, cell, f);
-    if (!isFirst)
+    Side side = { { cell->vertex(a)->info().Index, cell->vertex(b)->info().Index,
+                    cell->vertex(c)->info().Index },
+      cell, f };
+    std::sort(side.Corners.begin(), side.Corners.end());
+    this->Sides.push_back(side);
+  }
+
+  void Join(Structure& cells)
+  {
+    std::sort(this->Sides.begin(), this->Sides.end(),
+      [](const Side& a, const Side& b) { return a.Corners < b.Corners; });
+    for (std::size_t i = 0; i + 1 < this->Sides.size(); ++i)
     {
-      this->Cells.set_adjacency(cell, f, other->second.first, other->second.second);
-      this->Open.erase(other);
+      const Side &a = this->Sides[i], &b = this->Sides[i + 1];
+      if (a.Corners == b.Corners)
+      {
+        cells.set_adjacency(a.Of, a.F, b.Of, b.F);
+        ++i;
+      }
     }
   }
 
 private:
-  Structure& Cells;
-  /** The faces of which one cell is known. */
-  std::map<std::array<PiercedMesh::Vertex, 3>, std::pair<PiercedMesh::Cell, int>> Open;
+  struct Side
+  {
+    std::array<int, 3> Corners; ///< in ascending order; -1: infinity
+    PiercedMesh::Cell Of;
+    int F;
+  };
+  std::vector<Side> Sides;
 };
 
 } // namespace
@@ -137,10 +146,29 @@ std::vector<PiercedMesh::Cell> PiercedMesh::FindCells(int a, int b)
 PiercedMesh::Vertex PiercedMesh::AddVertex(const Point& p)
 {
   const Vertex v = this->Mesh.tds().create_vertex();
-  v->set_point(ToInexact(p));
-  v->info().Index = this->Parts.AddPoint(p);
-  this->Vertices.push_back(v);
+  this->SetVertex(this->TakeIndex(p), v);
   return v;
+}
+
+/** An index for a vertex at a point. */
+int PiercedMesh::TakeIndex(const Point& p)
+{
+  if (this->Free.empty())
+  {
+    this->Vertices.emplace_back();
+    return this->Parts.AddPoint(p);
+  }
+  const int index = this->Free.back();
+  this->Free.pop_back();
+  this->Parts.MovePoint(index, p);
+  return index;
+}
+
+void PiercedMesh::SetVertex(int index, const Vertex& v)
+{
+  v->set_point(ToInexact(this->Parts.GetPoints()[index]));
+  v->info().Index = index;
+  this->Vertices[index] = v;
 }
 
 void PiercedMesh::RemoveLastVertices(int count)
@@ -156,15 +184,19 @@ void PiercedMesh::RemoveLastVertices(int count)
 std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
   const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells)
 {
-  const std::vector<int> parts = PartsAt(old);
-  const std::set<Cell> removed(old.begin(), old.end());
-  FaceJoiner joiner(this->Mesh.tds());
+  const PartsOfCells parts = this->Collect(old);
+  ++this->NumberOfWalks;
+  for (const Cell& cell : old)
+  {
+    cell->info().LastWalk = this->NumberOfWalks;
+  }
+  FaceJoiner joiner;
   for (const Cell& cell : old)
   {
     for (int f = 0; f < 4; ++f)
     {
       const Cell neighbor = cell->neighbor(f);
-      if (removed.count(neighbor) == 0)
+      if (neighbor->info().LastWalk != this->NumberOfWalks)
       {
         joiner.Add(neighbor, neighbor->index(cell));
       }
@@ -185,9 +217,66 @@ std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
       finite.push_back(cell);
     }
   }
+  joiner.Join(this->Mesh.tds());
   this->Mesh.tds().delete_cells(old.begin(), old.end());
-  this->MeetAll(parts, finite);
+  this->Renew(finite, parts);
   return made;
+}
+
+/** Finds the parts that meet cells. */
+PiercedMesh::PartsOfCells PiercedMesh::Collect(const std::vector<Cell>& cells) const
+{
+  PartsOfCells parts;
+  for (const Cell& cell : cells)
+  {
+    for (const PartContact& contact : cell->info().All)
+    {
+      const auto& [corners, parent] = this->Parts.GetParts()[contact.Part];
+      if (parent >= 0 && this->IsOnWholeFace(cell, contact))
+      {
+        FaceKey key = corners;
+        std::sort(key.begin(), key.end());
+        parts.OnFaces.emplace_back(key, contact.Part);
+      }
+      else if (parent >= 0)
+      {
+        parts.Others.push_back(contact.Part);
+      }
+    }
+  }
+  const auto sort = [](auto& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  sort(parts.OnFaces);
+  sort(parts.Others);
+  return parts;
+}
+
+/** Records the contacts of new cells with the parts that met the cells in their place. */
+void PiercedMesh::Renew(const std::vector<Cell>& cells, const PartsOfCells& parts)
+{
+  for (const Cell& cell : cells)
+  {
+    for (int f = 0; f < 4 && !parts.OnFaces.empty(); ++f)
+    {
+      const auto& [a, b, c] = FaceCorners[f];
+      FaceKey key = { cell->vertex(a)->info().Index, cell->vertex(b)->info().Index,
+        cell->vertex(c)->info().Index };
+      std::sort(key.begin(), key.end());
+      const auto first =
+        std::lower_bound(parts.OnFaces.begin(), parts.OnFaces.end(), std::pair(key, -1));
+      for (auto at = first; at != parts.OnFaces.end() && at->first == key; ++at)
+      {
+        cell->info().Add({ at->second, { false, f } });
+      }
+    }
+  }
+  if (!parts.Others.empty())
+  {
+    this->MeetAll(parts.Others, cells);
+  }
 }
 
 } // namespace carving::helper

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * The triangles of M, split into parts where points are added on them. The parts of a triangle are
- * Delaunay in its plane.
+ * The triangles of M, split into parts where points are added on them.
  */
 #ifndef carving_Subdivision_h
 #define carving_Subdivision_h
 
 #include "Core/Mesh/Mesh.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -16,11 +16,16 @@
 namespace carving::helper
 {
 
+/** The two ends of an edge, in any order, as one number. */
+inline std::uint64_t EdgeKey(int a, int b)
+{
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+    static_cast<std::uint32_t>(std::max(a, b));
+}
+
 /**
  * A point added on a triangle is off its plane by a rounding. From then on, M consists of the
- * parts: triangles through the rounded points that share vertices and edges as before. Diagonals
- * between parts of one triangle are swapped until the parts are Delaunay in its plane, since most
- * of them are then also faces of the Delaunay tetrahedralization of all points.
+ * parts: triangles through the rounded points that share vertices and edges as before.
  */
 class Subdivision
 {
@@ -44,27 +49,29 @@ public:
   /** Adds a point without splitting a part; returns its index. */
   int AddPoint(const Point& p);
 
+  /** Puts a point that no part has as a corner elsewhere. */
+  void MovePoint(int index, const Point& p)
+  {
+    this->Points[index] = p;
+  }
+
   /** Removes the point that was added last, which is no corner of a part. */
   void RemoveLastPoint()
   {
     this->Points.pop_back();
   }
 
-  Change SplitPart(int part, int vertex);
+  /** Splits a part into three. */
+  void SplitPart(int part, int vertex, Change& change);
 
-  /** Splits all parts that share an edge. */
-  Change SplitEdge(int a, int b, int vertex);
+  /** Splits all parts that share an edge, if there are any, into two each. */
+  void SplitEdge(int a, int b, int vertex, Change& change);
 
-  /**
-   * Swaps the diagonal between a part and a neighbor of the same triangle if both diagonals are
-   * Delaunay, except for rounding, and `areFaces` returns true for both new parts. Returns whether
-   * it did.
-   */
-  template <class AreFaces>
-  bool SwapTie(int part, const AreFaces& areFaces, Change& change);
+  /** Removes a part. */
+  void Take(int part);
 
-  /** Whether the edge opposite to corner i is (a part of) an edge of M. */
-  bool OnEdgeOfInput(int part, int i) const;
+  /** Adds a part of a triangle of M; returns its index. */
+  int Give(const Triangle& corners, int parent);
 
   const std::vector<Point>& GetPoints() const
   {
@@ -81,56 +88,17 @@ public:
   }
 
 private:
-  /**
-   * Two parts of one triangle as the cycle of their corners (Apex, A, Opposite, B); the edge AB is
-   * common.
-   */
-  struct Quad
-  {
-    int Other = -1; ///< the part with the corner Opposite; -1: there is none
-    int Apex, A, Opposite, B;
-    /**
-     * The sum of the cotangents of the angles at Apex and Opposite. The edge AB is Delaunay if it
-     * is not negative.
-     */
-    double Cotangents;
-    bool Convex;
-  };
-
   using EdgeMap = std::unordered_map<std::uint64_t, std::vector<int>>;
 
-  static std::uint64_t Key(int a, int b);
-  EdgeMap& GetPartsOfEdge() const;
-  int Make(const Triangle& corners, int parent, Change& change);
+  EdgeMap& GetPartsOfEdge();
+  void Make(const Triangle& corners, int parent, Change& change);
   void Remove(int part, Change& change);
-  Quad GetQuad(int part, int i) const;
-  std::array<int, 2> Swap(int part, const Quad& quad, Change& change);
-  void Legalize(std::vector<int> parts, int apex, Change& change);
-  void Settle(Change& change) const;
 
   std::vector<Point> Points;
   std::vector<Part> Parts;
-  std::vector<Point> Normals; ///< of the triangles of M
   /** Filled when it is first needed: a mesh whose parts are not split does without. */
-  mutable EdgeMap PartsOfEdge;
+  EdgeMap PartsOfEdge;
 };
-
-template <class AreFaces>
-bool Subdivision::SwapTie(int part, const AreFaces& areFaces, Change& change)
-{
-  constexpr double Tie = 1e-6;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Quad quad = this->GetQuad(part, i);
-    if (quad.Other >= 0 && quad.Convex && quad.Cotangents < Tie &&
-      areFaces(quad.Apex, quad.A, quad.Opposite) && areFaces(quad.Apex, quad.Opposite, quad.B))
-    {
-      this->Swap(part, quad, change);
-      return true;
-    }
-  }
-  return false;
-}
 
 } // namespace carving::helper
 

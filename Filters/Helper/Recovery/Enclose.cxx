@@ -4,8 +4,9 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
+#include "Helper/Cutting/Cut.h"
+#include "Helper/Cutting/HalveKept.h"
 #include "Helper/Enclosing/ExposedFaces.h"
-#include "Helper/Enclosing/Refine.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 #include "Helper/Resolve/Intersections.h"
@@ -21,6 +22,9 @@ namespace
 {
 
 using Cell = PiercedMesh::Cell;
+
+/** Changes that cutting may try: they take some twelve seconds. */
+constexpr std::size_t MaximumCuts = 1200000;
 
 /** Adds the faces on which parts of M lie. */
 void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
@@ -51,11 +55,7 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
   }
 }
 
-/**
- * Whether recovery alone leaves tetrahedra that reach far, since those at crossings stay kept. Of
- * measured meshes with more than one crossing in a thousand triangles, none came within a tolerance
- * of 0.02.
- */
+/** Whether more than one pair of triangles in a hundred triangles crosses. */
 bool CrossesItselfOften(const ResolvedMesh& input)
 {
   constexpr double often = 0.01; // per triangle
@@ -107,39 +107,47 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   const double length = Diagonal(input.Points);
   const SurfaceDistance distance(input);
   constexpr double negligible = 1e-4;
-  const auto measure = [&](const PiercedMesh& mesh)
-  { return MeasureKept(mesh, distance, negligible * length, length); };
+  constexpr double accuracy = 1.05; // distances are exact to within this factor
+  const double bound = tolerance * length / accuracy;
   const auto part = [&](double begin, double end) {
     return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
   };
-  const auto steps = [&](std::ptrdiff_t perFacet)
-  {
-    const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-    constexpr std::ptrdiff_t many = 60000000; // they take some seconds
-    return 100000 + std::max(100 * facets, std::min(perFacet * facets, many));
-  };
-  std::unique_ptr<PiercedMesh> mesh;
+  const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
+  constexpr std::ptrdiff_t many = 60000000; // they take some seconds
+  // Where triangles cross each other, recovery meets few, and cutting follows.
+  const bool crosses = CrossesItselfOften(input);
+  const std::ptrdiff_t steps =
+    crosses ? 100 * facets : std::max(100 * facets, std::min(300 * facets, many));
+  const RecoveryLimits limits = { 100000 + steps, tolerance > 0.0 };
+  auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
+  Recover(*mesh, limits, part(0.1, 0.2));
+  const auto measure = [&] { return MeasureKept(*mesh, distance, negligible * length, length); };
   KeptDistances kept = {};
-  const bool mayRefine = tolerance > 0.0;
-  if (!mayRefine || !CrossesItselfOften(input))
+  if (!crosses || tolerance <= 0.0)
   {
-    const RecoveryLimits limits = { steps(300), mayRefine }; // enough for a clean mesh
-    mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
-    Recover(*mesh, limits, part(0.1, 0.4));
-    kept = measure(*mesh);
+    kept = measure();
   }
-  if (mayRefine && (!mesh || kept.Maximum > tolerance * length))
+  if (tolerance > 0.0 && crosses)
   {
-    // No point can be put into a mesh after recovery, hence another one.
-    mesh = std::make_unique<PiercedMesh>(input, further, part(0.4, 0.5));
-    constexpr double accuracy = 1.05; // distances are exact to within this factor
-    const double bound = tolerance * length / accuracy;
-    Refine(*mesh, distance, bound, MaximumPointsAdded(input.Points.size()), part(0.5, 0.8));
-    RecoveryLimits limits = { steps(1000), true };
-    limits.MayExist = [&](const Cell& cell)
+    const std::size_t most = MaximumPointsAdded(input.Points.size());
+    constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
+    Cut(*mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+    HalveKept(*mesh, distance, bound, most, part(0.7, 0.8));
+    // A few more points take most of the surface much closer.
+    constexpr double closer = 0.1;
+    HalveKept(*mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.8, 0.9));
+    kept = measure();
+  }
+  if (tolerance > 0.0 && kept.Maximum > tolerance * length)
+  {
+    // Tetrahedra without volume, which cutting can leave, cannot be halved.
+    mesh = std::make_unique<PiercedMesh>(input, further, part(0.9, 0.91));
+    HalveKept(*mesh, distance, bound, MaximumPointsAdded(input.Points.size()), part(0.91, 0.95));
+    RecoveryLimits within = limits;
+    within.MayExist = [&](const Cell& cell)
     { return IsExposedWithin(cell, *mesh, distance, bound); };
-    Recover(*mesh, limits, part(0.8, 1.0));
-    kept = measure(*mesh);
+    Recover(*mesh, within, part(0.95, 1.0));
+    kept = measure();
   }
   result = {};
   result.Surface.PointSources = input.PointSources;

@@ -25,10 +25,19 @@ int LeastCorner(PiercedMesh::Cell cell)
 void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
 {
   const PiercedMesh::Delaunay& delaunay = mesh.GetDelaunay();
-  result.Surface.Points = mesh.GetParts().GetPoints();
+  result.Surface.Points.clear();
+  std::vector<int> indices(mesh.GetParts().GetPoints().size(), -1);
+  for (std::size_t i = 0; i < indices.size(); ++i)
+  {
+    if (mesh.GetVertex(static_cast<int>(i)) != PiercedMesh::Vertex())
+    {
+      indices[i] = static_cast<int>(result.Surface.Points.size());
+      result.Surface.Points.push_back(mesh.GetParts().GetPoints()[i]);
+    }
+  }
   result.Surface.PointSources.resize(result.Surface.Points.size(), -1);
   // Neighbors come close together in memory: later walks over the cells take a fifth less time.
-  const Buckets<PiercedMesh::Cell> byLeastCorner(result.Surface.Points.size(),
+  const Buckets<PiercedMesh::Cell> byLeastCorner(indices.size(),
     [&](auto&& visit)
     {
       for (const PiercedMesh::Cell cell : delaunay.finite_cell_handles())
@@ -52,7 +61,7 @@ void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
     for (int i = 0; i < 4; ++i)
     {
       const PiercedMesh::Cell other = cell->neighbor(i);
-      corners[i] = cell->vertex(i)->info().Index;
+      corners[i] = indices[cell->vertex(i)->info().Index];
       neighbors[i] = delaunay.is_infinite(other) ? Outside : other->info().Index;
     }
   }

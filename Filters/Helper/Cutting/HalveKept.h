@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#ifndef carving_HalveKept_h
+#define carving_HalveKept_h
+
+#include "Helper/Enclosing/PiercedMesh.h"
+#include "Helper/Enclosing/SurfaceDistance.h"
+
+#include <functional>
+
+namespace carving::helper
+{
+
+/**
+ * Halves pierced tetrahedra at their longest edges until every exposed face is within `tolerance` of
+ * M, or until `maximumPoints` have been added. Unlike Refine, works on any mesh, but takes more
+ * points.
+ */
+void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
+  std::size_t maximumPoints, const std::function<bool(double)>& progress);
+
+} // namespace carving::helper
+
+#endif

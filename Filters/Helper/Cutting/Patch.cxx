@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Cutting/Patch.h"
+
+#include "Core/Mesh/Vector.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_set>
+
+namespace carving::helper
+{
+
+Patch::Patch(CutMesh& mesh, const Triangle& corners)
+  : Mesh(mesh)
+  , Corners(corners)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Loop.push_back(corners[i]);
+    mesh.GetChains().Append(corners[i], corners[(i + 1) % 3], this->Loop);
+  }
+  for (const int vertex : this->Loop)
+  {
+    this->Sides[vertex] = 0;
+  }
+  const Point& a = mesh.PointOf(corners[0]);
+  this->Normal = Cross(mesh.PointOf(corners[1]) - a, mesh.PointOf(corners[2]) - a);
+  const double length = Length(this->Normal);
+  this->Normal = length > 0.0 ? this->Normal / length : Point{};
+}
+
+/** Whether the triangle has an area, and its border does not touch itself. */
+bool Patch::IsSimple() const
+{
+  return this->Normal != Point{} &&
+    std::set<int>(this->Loop.begin(), this->Loop.end()).size() == this->Loop.size();
+}
+
+int Patch::SideOf(int vertex)
+{
+  const auto [found, isNew] = this->Sides.try_emplace(vertex, 0);
+  if (isNew)
+  {
+    const double distance =
+      Dot(this->Normal, this->Mesh.PointOf(vertex) - this->Mesh.PointOf(this->Corners[0]));
+    const double tolerance = this->Mesh.GetTolerance();
+    found->second = distance >= tolerance ? 1 : distance <= -tolerance ? -1 : 0;
+  }
+  return found->second;
+}
+
+/** Whether an edge of a cell crosses the inside of the triangle. */
+bool Patch::IsCrossing(const Cell& cell, int i, int j)
+{
+  if (this->SideOf(cell->vertex(i)->info().Index) * this->SideOf(cell->vertex(j)->info().Index) >=
+    0)
+  {
+    return false;
+  }
+  const Inexact::Point_3 &p = cell->vertex(i)->point(), &q = cell->vertex(j)->point();
+  std::array<CGAL::Orientation, 3> turns;
+  for (int k = 0; k < 3; ++k)
+  {
+    turns[k] = CGAL::orientation(p, q, ToInexact(this->Mesh.PointOf(this->Corners[k])),
+      ToInexact(this->Mesh.PointOf(this->Corners[(k + 1) % 3])));
+  }
+  return turns[0] != CGAL::COPLANAR && turns[0] == turns[1] && turns[1] == turns[2];
+}
+
+/**
+ * All edges that cross the triangle. Every tetrahedron that the triangle pierces has such an edge,
+ * since edges of the tetrahedralization make up its border.
+ */
+std::vector<Patch::Edge> Patch::FindCrossing()
+{
+  PiercedMesh& mesh = this->Mesh.GetMesh();
+  std::vector<Edge> edges;
+  std::vector<Cell> stack;
+  std::unordered_set<std::uint64_t> known;
+  std::unordered_set<int> centers(this->Loop.begin(), this->Loop.end());
+  mesh.BeginWalk();
+  for (const int vertex : this->Loop)
+  {
+    mesh.PushStar(mesh.GetVertex(vertex), stack);
+  }
+  while (!stack.empty())
+  {
+    const Cell cell = stack.back();
+    stack.pop_back();
+    bool isCut = false;
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = i + 1; j < 4; ++j)
+      {
+        const int a = cell->vertex(i)->info().Index, b = cell->vertex(j)->info().Index;
+        if (this->SideOf(a) * this->SideOf(b) < 0 && known.insert(EdgeKey(a, b)).second &&
+          this->IsCrossing(cell, i, j))
+        {
+          isCut = true;
+          edges.push_back({ std::min(a, b), std::max(a, b) });
+          for (const Cell& around : mesh.FindCellsAround(a, b))
+          {
+            mesh.Push(around, stack);
+          }
+        }
+      }
+    }
+    for (int i = 0; i < 4 && isCut; ++i)
+    {
+      const PiercedMesh::Vertex v = cell->vertex(i);
+      if (this->SideOf(v->info().Index) == 0 && centers.insert(v->info().Index).second)
+      {
+        mesh.PushStar(v, stack);
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool Patch::CutEdges()
+{
+  if (!this->IsSimple())
+  {
+    return false;
+  }
+  const Point origin = this->Mesh.PointOf(this->Corners[0]);
+  const auto heightOf = [&](int vertex)
+  { return Dot(this->Normal, this->Mesh.PointOf(vertex) - origin); };
+  constexpr int rounds = 20; // more than one if edges vanish with others
+  bool isCut = false;
+  for (int round = 0; round < rounds && !isCut; ++round)
+  {
+    isCut = true;
+    for (const auto& [a, b] : this->FindCrossing())
+    {
+      if (!this->Mesh.IsEdge(a, b))
+      {
+        isCut = false;
+        continue;
+      }
+      if (this->Mesh.FlipEdge(a, b))
+      {
+        continue;
+      }
+      const double height = heightOf(a);
+      const int vertex = this->Mesh.SplitEdge(a, b, height / (height - heightOf(b)));
+      if (vertex < 0)
+      {
+        return false;
+      }
+      this->Sides[vertex] = 0;
+    }
+  }
+  return isCut;
+}
+
+/**
+ * Whether a cell is above the plane of the triangle, and no part of it below. An infinite cell is
+ * opposite to the finite one beside it.
+ */
+bool Patch::IsAbove(const Cell& cell)
+{
+  const auto& delaunay = this->Mesh.GetMesh().GetDelaunay();
+  bool isAbove = false;
+  for (int i = 0; i < 4; ++i)
+  {
+    const bool isInfinite = delaunay.is_infinite(cell->vertex(i));
+    const int side = isInfinite ? -this->SideOf(delaunay.mirror_vertex(cell, i)->info().Index)
+                                : this->SideOf(cell->vertex(i)->info().Index);
+    if (side < 0)
+    {
+      return false;
+    }
+    isAbove |= side > 0;
+  }
+  return isAbove;
+}
+
+/** Whether a face is on the plane, between a cell above it and one that is not. */
+bool Patch::IsFace(const Cell& cell, int f)
+{
+  for (const int i : FaceCorners[f])
+  {
+    const PiercedMesh::Vertex v = cell->vertex(i);
+    if (this->Mesh.GetMesh().GetDelaunay().is_infinite(v) || this->SideOf(v->info().Index) != 0)
+    {
+      return false;
+    }
+  }
+  return this->IsAbove(cell) != this->IsAbove(cell->neighbor(f));
+}
+
+/** The third corner of the only face on the left of an edge from a to b; -1: there is none. */
+int Patch::FindLeft(int a, int b)
+{
+  std::vector<int> found;
+  for (const Cell& cell : this->Mesh.GetMesh().FindCellsAround(a, b))
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const int apex = cell->vertex(f)->info().Index;
+      if (apex == a || apex == b || !this->IsFace(cell, f))
+      {
+        continue;
+      }
+      for (const int i : FaceCorners[f])
+      {
+        const int c = cell->vertex(i)->info().Index;
+        const Point& origin = this->Mesh.PointOf(a);
+        if (c != a && c != b &&
+          Dot(this->Normal, Cross(this->Mesh.PointOf(b) - origin, this->Mesh.PointOf(c) - origin)) >
+            0.0)
+        {
+          found.push_back(c);
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found.size() == 1 ? found[0] : -1;
+}
+
+std::vector<Triangle> Patch::FindFaces()
+{
+  std::unordered_map<std::uint64_t, int> border; // edges, and how many faces have them
+  for (std::size_t i = 0; i < this->Loop.size(); ++i)
+  {
+    border[EdgeKey(this->Loop[i], this->Loop[(i + 1) % this->Loop.size()])] = 0;
+  }
+  std::set<Triangle> faces; // with the smallest corner first
+  std::unordered_set<std::uint64_t> inside;
+  std::unordered_set<int> vertices;
+  std::vector<Edge> stack = { { this->Loop[0], this->Loop[1] } }; // with a face on the left
+  while (!stack.empty())
+  {
+    const auto [a, b] = stack.back();
+    stack.pop_back();
+    const int c = this->FindLeft(a, b);
+    if (c < 0)
+    {
+      return {};
+    }
+    Triangle face = { a, b, c };
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    if (!faces.insert(face).second)
+    {
+      continue;
+    }
+    for (const auto& [p, q] : { Edge{ a, b }, Edge{ b, c }, Edge{ c, a } })
+    {
+      vertices.insert(p);
+      const auto found = border.find(EdgeKey(p, q));
+      if (found != border.end())
+      {
+        ++found->second;
+      }
+      else
+      {
+        inside.insert(EdgeKey(p, q));
+        stack.push_back({ q, p });
+      }
+    }
+  }
+  const bool isClosed =
+    std::all_of(border.begin(), border.end(), [](const auto& edge) { return edge.second == 1; });
+  // A disk has an Euler characteristic of 1.
+  const bool isDisk = vertices.size() + faces.size() == border.size() + inside.size() + 1;
+  return isClosed && isDisk ? std::vector<Triangle>(faces.begin(), faces.end())
+                            : std::vector<Triangle>();
+}
+
+} // namespace carving::helper

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * A triangle of M between edges that have been made.
+ */
+#ifndef carving_Patch_h
+#define carving_Patch_h
+
+#include "Helper/Cutting/CutMesh.h"
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace carving::helper
+{
+
+/** Makes a triangle a union of faces, and finds these faces. */
+class Patch
+{
+public:
+  /** The edges of the triangle must be connected. */
+  Patch(CutMesh& mesh, const Triangle& corners);
+
+  /**
+   * Removes all edges of tetrahedra that cross the triangle: by flips, or by a vertex at the
+   * crossing. Returns false if that fails.
+   */
+  bool CutEdges();
+
+  /** The faces that the triangle consists of, oriented as it; none if they are no disk. */
+  std::vector<Triangle> FindFaces();
+
+private:
+  using Cell = PiercedMesh::Cell;
+  using Edge = std::array<int, 2>;
+
+  bool IsSimple() const;
+  int SideOf(int vertex);
+  std::vector<Edge> FindCrossing();
+  bool IsCrossing(const Cell& cell, int i, int j);
+  bool IsAbove(const Cell& cell);
+  bool IsFace(const Cell& cell, int f);
+  int FindLeft(int a, int b);
+
+  CutMesh& Mesh;
+  Triangle Corners;
+  Point Normal;          ///< of length 1; 0 if the triangle has no area
+  std::vector<int> Loop; ///< all vertices on the border, in the direction of the triangle
+  /** By vertex: on which side of the plane it is; 0 if it is on it. */
+  std::unordered_map<int, int> Sides;
+};
+
+} // namespace carving::helper
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Removes vertices from a PiercedMesh that were put on parts of M.
+ */
+#include "Helper/Enclosing/CellShape.h"
+#include "Helper/Enclosing/PiercedMesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace carving::helper
+{
+namespace
+{
+
+using Cell = PiercedMesh::Cell;
+using Vertex = PiercedMesh::Vertex;
+
+/** The parts around a vertex, by triangles of M. */
+class Umbrella
+{
+public:
+  void Add(const Subdivision::Part& part, int vertex)
+  {
+    for (const int corner : part.Corners)
+    {
+      if (corner != vertex)
+      {
+        ++this->Counts[part.Parent][corner];
+      }
+    }
+  }
+
+  /**
+   * Whether each triangle of M stays the same when the vertex moves to `u`: inside of a triangle,
+   * along one of its edges; on the border of a triangle, along that border.
+   */
+  bool MayMove(int u) const
+  {
+    return std::all_of(this->Counts.begin(), this->Counts.end(),
+      [&](const auto& parent)
+      {
+        const auto& [triangle, counts] = parent;
+        const auto found = counts.find(u);
+        const auto border = std::count_if(
+          counts.begin(), counts.end(), [](const auto& corner) { return corner.second == 1; });
+        const bool isSimple = std::all_of(
+          counts.begin(), counts.end(), [](const auto& corner) { return corner.second <= 2; });
+        return found != counts.end() && isSimple &&
+          (border == 0 || (border == 2 && found->second == 1));
+      });
+  }
+
+private:
+  /** Per triangle: how many of its parts have an edge from the vertex to another one. */
+  std::map<int, std::map<int, int>> Counts;
+};
+
+std::vector<int> FindNeighbors(const std::vector<Cell>& star, const Vertex& v)
+{
+  std::vector<int> neighbors;
+  for (const Cell& cell : star)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (cell->vertex(i) != v)
+      {
+        neighbors.push_back(cell->vertex(i)->info().Index);
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  return neighbors;
+}
+
+/** The least quality of the cells of a star after v has moved to u; 0 if one turns over. */
+double FindQuality(
+  const std::vector<Cell>& star, const Vertex& v, const Vertex& u, double quiteEnough)
+{
+  double least = HUGE_VAL;
+  for (const Cell& cell : star)
+  {
+    if (cell->has_vertex(u))
+    {
+      continue;
+    }
+    if (!IsPositive(cell, cell->index(v), u->point()))
+    {
+      return 0.0;
+    }
+    least = std::min(least, QualityOf(MovedCorners(cell, cell->index(v), u->point())));
+    if (least <= quiteEnough)
+    {
+      return least; // another neighbor is better
+    }
+  }
+  return least;
+}
+
+} // namespace
+
+int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMove)
+{
+  const Vertex v = this->Vertices[vertex];
+  std::vector<Cell> star;
+  this->Mesh.tds().incident_cells(v, std::back_inserter(star));
+  std::vector<int> parts; // that have the vertex
+  for (const Cell& cell : star)
+  {
+    if (this->Mesh.is_infinite(cell))
+    {
+      return -1;
+    }
+    for (const PartContact& contact : cell->info().All)
+    {
+      if (!this->IsOnWholeFace(cell, contact))
+      {
+        return -1;
+      }
+      if (contact.How.Face != cell->index(v))
+      {
+        parts.push_back(contact.Part);
+      }
+    }
+  }
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  Umbrella umbrella;
+  for (const int part : parts)
+  {
+    umbrella.Add(this->Parts.GetParts()[part], vertex);
+  }
+  int target = -1;
+  double best = 0.0;
+  for (const int u : FindNeighbors(star, v))
+  {
+    const double quality =
+      umbrella.MayMove(u) && mayMove(u) ? FindQuality(star, v, this->Vertices[u], best) : 0.0;
+    target = quality > best ? u : target;
+    best = std::max(best, quality);
+  }
+  if (target < 0)
+  {
+    return -1;
+  }
+  std::vector<Subdivision::Part> moved;
+  for (const int part : parts)
+  {
+    Subdivision::Part to = this->Parts.GetParts()[part];
+    this->Parts.Take(part);
+    if (std::find(to.Corners.begin(), to.Corners.end(), target) == to.Corners.end())
+    {
+      std::replace(to.Corners.begin(), to.Corners.end(), vertex, target);
+      moved.push_back(to);
+    }
+  }
+  std::vector<std::array<Vertex, 4>> cells;
+  for (const Cell& cell : star)
+  {
+    if (!cell->has_vertex(this->Vertices[target]))
+    {
+      auto& corners = cells.emplace_back(std::array<Vertex, 4>{
+        cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
+      std::replace(corners.begin(), corners.end(), v, this->Vertices[target]);
+    }
+  }
+  this->Refill(star, cells);
+  this->Mesh.tds().delete_vertex(v);
+  this->Vertices[vertex] = Vertex();
+  this->Free.push_back(vertex);
+  for (const Subdivision::Part& part : moved)
+  {
+    this->GivePart(part.Corners, part.Parent);
+  }
+  return target;
+}
+
+void PiercedMesh::TakeParts(const std::vector<int>& parts)
+{
+  std::vector<char> isTaken(this->Parts.GetParts().size(), 0);
+  for (const int part : parts)
+  {
+    isTaken[part] = 1;
+    this->Parts.Take(part);
+  }
+  for (const Cell cell : this->Mesh.finite_cell_handles())
+  {
+    const std::vector<PartContact> contacts = cell->info().All;
+    for (const PartContact& contact : contacts)
+    {
+      if (isTaken[contact.Part])
+      {
+        cell->info().Remove(contact.Part);
+      }
+    }
+  }
+}
+
+void PiercedMesh::GivePart(const Triangle& corners, int parent)
+{
+  this->Settle(this->Parts.Give(corners, parent));
+}
+
+} // namespace carving::helper

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * Puts vertices on the edges and faces of a PiercedMesh.
+ */
+#include "Helper/Enclosing/CellShape.h"
+#include "Helper/Enclosing/PiercedMesh.h"
+
+#include <algorithm>
+#include <set>
+
+namespace carving::helper
+{
+namespace
+{
+
+using Cell = PiercedMesh::Cell;
+using Vertex = PiercedMesh::Vertex;
+using Edge = std::array<int, 2>;
+
+constexpr std::size_t MaximumStar = 64; // cells
+
+int IndexOf(const Cell& cell, int i)
+{
+  return cell->vertex(i)->info().Index;
+}
+
+/** A set of cells around a point, which sees all of their outer faces from inside. */
+class StarShape
+{
+public:
+  explicit StarShape(const std::vector<Cell>& cells)
+    : Cells(cells)
+    , Within(cells.begin(), cells.end())
+  {
+  }
+
+  /**
+   * Adds the cells behind faces that the point does not see. Returns false if such a face is a part
+   * of M or on the hull, or if there are too many.
+   */
+  bool Grow(const PiercedMesh& mesh, const Inexact::Point_3& p)
+  {
+    for (std::size_t i = 0; i < this->Cells.size(); ++i)
+    {
+      const Cell cell = this->Cells[i];
+      for (int f = 0; f < 4; ++f)
+      {
+        const Cell neighbor = cell->neighbor(f);
+        if (this->Within.count(neighbor) > 0 || IsPositive(cell, f, p))
+        {
+          continue;
+        }
+        if (mesh.GetDelaunay().is_infinite(neighbor) || cell->info().PartOn(f) >= 0 ||
+          this->Cells.size() >= MaximumStar)
+        {
+          return false;
+        }
+        this->Within.insert(neighbor);
+        this->Cells.push_back(neighbor);
+      }
+    }
+    return true;
+  }
+
+  bool Has(const Cell& cell) const
+  {
+    return this->Within.count(cell) > 0;
+  }
+  const std::vector<Cell>& GetCells() const
+  {
+    return this->Cells;
+  }
+
+private:
+  std::vector<Cell> Cells;
+  std::set<Cell> Within;
+};
+
+/** The vertices and edges of the outer faces of a star. */
+class Surface
+{
+public:
+  explicit Surface(const StarShape& star)
+  {
+    for (const Cell& cell : star.GetCells())
+    {
+      for (int f = 0; f < 4; ++f)
+      {
+        for (int i = 0; i < 3 && !star.Has(cell->neighbor(f)); ++i)
+        {
+          const int a = IndexOf(cell, FaceCorners[f][i]);
+          this->Vertices.insert(a);
+          this->Edges.insert(EdgeKey(a, IndexOf(cell, FaceCorners[f][(i + 1) % 3])));
+        }
+      }
+    }
+  }
+  bool Has(int vertex) const
+  {
+    return this->Vertices.count(vertex) > 0;
+  }
+  bool Has(int a, int b) const
+  {
+    return this->Edges.count(EdgeKey(a, b)) > 0;
+  }
+
+private:
+  std::set<int> Vertices;
+  std::set<std::uint64_t> Edges;
+};
+
+bool IsAmong(const std::vector<Edge>& edges, int a, int b)
+{
+  return std::any_of(edges.begin(), edges.end(),
+    [&](const Edge& edge) { return EdgeKey(edge[0], edge[1]) == EdgeKey(a, b); });
+}
+
+} // namespace
+
+std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
+{
+  Cell cell;
+  int i = 0, j = 0;
+  std::vector<Cell> cells;
+  if (this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j))
+  {
+    auto at = this->Mesh.tds().incident_cells(cell, i, j);
+    const Cell first = at;
+    do
+    {
+      cells.push_back(at);
+      ++at;
+    } while (Cell(at) != first);
+  }
+  return cells;
+}
+
+PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
+{
+  Place place{ p, {}, false, { { a, b } }, {} };
+  for (const Cell& cell : this->FindCellsAround(a, b))
+  {
+    if (this->Mesh.is_infinite(cell))
+    {
+      place.OnHull = true;
+      continue;
+    }
+    place.Cells.push_back(cell);
+    for (const PartContact& contact : cell->info().All)
+    {
+      const Triangle& t = this->Parts.GetParts()[contact.Part].Corners;
+      const auto has = [&](int v) { return std::find(t.begin(), t.end(), v) != t.end(); };
+      if (has(a) && has(b))
+      {
+        place.Parts.push_back(contact.Part);
+      }
+    }
+  }
+  return place;
+}
+
+PiercedMesh::Place PiercedMesh::PlaceOnFace(const Cell& cell, int f, const Point& p) const
+{
+  Place place{ p, {}, false, {}, {} };
+  const Cell other = cell->neighbor(f);
+  for (const auto& [side, face] : { std::pair(cell, f), std::pair(other, other->index(cell)) })
+  {
+    if (this->Mesh.is_infinite(side))
+    {
+      place.OnHull = true;
+      continue;
+    }
+    place.Cells.push_back(side);
+    for (const PartContact& contact : side->info().All)
+    {
+      if (contact.How.Face == face && this->IsOnWholeFace(side, contact))
+      {
+        place.Parts.push_back(contact.Part);
+      }
+    }
+  }
+  std::sort(place.Parts.begin(), place.Parts.end());
+  place.Parts.erase(std::unique(place.Parts.begin(), place.Parts.end()), place.Parts.end());
+  return place;
+}
+
+Subdivision::Change PiercedMesh::SplitParts(const Place& place, int vertex)
+{
+  Subdivision::Change change;
+  for (const auto& [a, b] : place.Edges)
+  {
+    this->Parts.SplitEdge(a, b, vertex, change);
+  }
+  for (const int part : place.Parts)
+  {
+    if (place.Edges.empty())
+    {
+      this->Parts.SplitPart(part, vertex, change);
+    }
+  }
+  return change;
+}
+
+/** Splits the cells and parts of a place; `insert` makes the vertex among the cells. */
+int PiercedMesh::Split(const Place& place, const std::function<Vertex()>& insert)
+{
+  const int index = this->TakeIndex(place.At);
+  const Subdivision::Change change = this->SplitParts(place, index);
+  for (const int part : change.Gone)
+  {
+    if (!this->IsFace(part)) // the part may meet further cells
+    {
+      this->Forget(part);
+    }
+  }
+  const PartsOfCells parts = this->Collect(place.Cells);
+  for (const Cell& cell : place.Cells)
+  {
+    cell->info() = {};
+  }
+  const Vertex v = insert();
+  this->SetVertex(index, v);
+  std::vector<Cell> star;
+  this->Mesh.finite_incident_cells(v, std::back_inserter(star));
+  this->Renew(star, parts);
+  for (const int part : change.Made)
+  {
+    this->Settle(part);
+  }
+  return index;
+}
+
+/**
+ * Joins the cells of a place, and as many around them as need be, to a star around a new vertex.
+ * Everything that must stay has to be on the surface of the star, or to be split.
+ */
+int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
+{
+  StarShape star(place.Cells);
+  if (place.OnHull || !star.Grow(*this, ToInexact(place.At)))
+  {
+    return -1;
+  }
+  const Surface surface(star);
+  std::vector<std::array<Vertex, 4>> made;
+  std::vector<int> corners;
+  for (const Cell& cell : star.GetCells())
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < i; ++j)
+      {
+        const int a = IndexOf(cell, i), b = IndexOf(cell, j);
+        if (!surface.Has(a) || !surface.Has(b) ||
+          (!surface.Has(a, b) && !IsAmong(place.Edges, a, b) && isProtected(a, b)))
+        {
+          return -1;
+        }
+      }
+      if (!star.Has(cell->neighbor(i)))
+      {
+        made.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
+        corners.push_back(i);
+      }
+    }
+    for (const PartContact& contact : cell->info().All)
+    {
+      const bool isSplit =
+        std::find(place.Parts.begin(), place.Parts.end(), contact.Part) != place.Parts.end();
+      if (!this->IsOnWholeFace(cell, contact) ||
+        (!isSplit && star.Has(cell->neighbor(contact.How.Face))))
+      {
+        return -1;
+      }
+    }
+  }
+  for (const int part : place.Parts)
+  {
+    const Triangle& t = this->Parts.GetParts()[part].Corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = t[i], b = t[(i + 1) % 3];
+      if (!surface.Has(a, b) && !IsAmong(place.Edges, a, b))
+      {
+        return -1;
+      }
+    }
+  }
+  const Vertex v = this->AddVertex(place.At);
+  const Subdivision::Change change = this->SplitParts(place, v->info().Index);
+  for (std::size_t i = 0; i < made.size(); ++i)
+  {
+    made[i][corners[i]] = v;
+  }
+  this->Refill(star.GetCells(), made);
+  for (const int part : change.Made)
+  {
+    this->Settle(part);
+  }
+  return v->info().Index;
+}
+
+int PiercedMesh::SplitEdge(int a, int b, const Point& p, const EdgePredicate& isProtected)
+{
+  Cell cell;
+  int i = 0, j = 0;
+  if (!this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j))
+  {
+    return -1;
+  }
+  const Place place = this->PlaceOnEdge(a, b, p);
+  const Inexact::Point_3 at = ToInexact(p);
+  const bool isPositive = std::all_of(place.Cells.begin(), place.Cells.end(),
+    [&](const Cell& around)
+    {
+      return IsPositive(around, around->index(this->Vertices[a]), at) &&
+        IsPositive(around, around->index(this->Vertices[b]), at);
+    });
+  return isPositive
+    ? this->Split(place, [&] { return this->Mesh.tds().insert_in_edge(cell, i, j); })
+    : this->SplitStar(place, isProtected);
+}
+
+int PiercedMesh::SplitFace(
+  const Cell& cell, int f, const Point& p, const EdgePredicate& isProtected)
+{
+  const Place place = this->PlaceOnFace(cell, f, p);
+  const Inexact::Point_3 at = ToInexact(p);
+  const bool isPositive = std::all_of(place.Cells.begin(), place.Cells.end(),
+    [&](const Cell& side)
+    {
+      const int apex = side == cell ? f : side->index(cell);
+      return IsPositive(side, (apex + 1) % 4, at) && IsPositive(side, (apex + 2) % 4, at) &&
+        IsPositive(side, (apex + 3) % 4, at);
+    });
+  return isPositive ? this->Split(place, [&] { return this->Mesh.tds().insert_in_facet(cell, f); })
+                    : this->SplitStar(place, isProtected);
+}
+
+} // namespace carving::helper

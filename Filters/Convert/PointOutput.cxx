@@ -36,6 +36,7 @@ void InterpolateNewPoints(
   // threads.
   vtkNew<vtkCellLocator> locator;
   locator->SetDataSet(surface);
+  locator->SetNumberOfCellsPerBucket(4);
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;
   std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));

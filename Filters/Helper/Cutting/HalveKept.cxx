@@ -99,7 +99,7 @@ bool SplitNearMiddle(PiercedMesh& mesh, const Edge& edge)
 void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress)
 {
-  constexpr int mostRounds = 1000; // each halves at least one edge
+  constexpr int mostRounds = 100; // each looks at all tetrahedra
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     cell->info().Near = {};

@@ -126,8 +126,7 @@ public:
 
   /**
    * Replaces cells by others that fill the same space, given by their corners and oriented
-   * positively. Afterwards the mesh is no longer Delaunay, and no point can be inserted any more.
-   * Returns the new cells.
+   * positively. Afterwards the mesh is no longer Delaunay. Returns the new cells.
    */
   std::vector<Cell> Refill(
     const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);

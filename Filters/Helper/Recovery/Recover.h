@@ -27,8 +27,7 @@ struct RecoveryLimits
 /**
  * Makes faces of the parts of M, one after the other: the tetrahedra that a part meets are removed,
  * and the cavity is filled again around the part. The mesh is valid at any time, and a part that is
- * a face stays one. Returns the number of parts that are not faces. Afterwards no point can be put
- * into the mesh.
+ * a face stays one. Returns the number of parts that are not faces.
  */
 std::size_t Recover(
   PiercedMesh& mesh, const RecoveryLimits& limits, const std::function<bool(double)>& progress);

@@ -5,6 +5,7 @@
 #include "Helper/Enclosing/ExposedFaces.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -78,20 +79,34 @@ Edge FindTerminalEdge(const PiercedMesh& mesh, Measured edge)
   return edge.second;
 }
 
-/** Rounding turns other cells over at other points of an edge. */
-bool SplitNearMiddle(PiercedMesh& mesh, const Edge& edge)
+/** Rounding turns other cells over at other points of an edge. Returns the vertex; -1: none. */
+int SplitNearMiddle(PiercedMesh& mesh, const Edge& edge)
 {
   const auto [a, b] = edge;
   const std::vector<Point>& points = mesh.GetParts().GetPoints();
   const auto isProtected = [](int, int) { return false; };
   for (const double share : { 0.5, 0.45, 0.55, 0.4, 0.6 })
   {
-    if (mesh.SplitEdge(a, b, Between(points[a], points[b], share), isProtected) >= 0)
+    const int vertex = mesh.SplitEdge(a, b, Between(points[a], points[b], share), isProtected);
+    if (vertex >= 0)
     {
-      return true;
+      return vertex;
     }
   }
-  return false;
+  return -1;
+}
+
+/** Pushes the tetrahedra around a vertex, and those behind them. */
+void PushNeighborhood(PiercedMesh& mesh, int vertex, std::vector<Cell>& cells)
+{
+  const PiercedMesh::Vertex v = mesh.GetVertex(vertex);
+  std::vector<Cell> star;
+  mesh.GetDelaunay().finite_incident_cells(v, std::back_inserter(star));
+  for (const Cell& cell : star)
+  {
+    mesh.Push(cell, cells);
+    mesh.Push(cell->neighbor(cell->index(v)), cells);
+  }
 }
 
 } // namespace
@@ -99,35 +114,64 @@ bool SplitNearMiddle(PiercedMesh& mesh, const Edge& edge)
 void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress)
 {
-  constexpr int mostRounds = 100; // each looks at all tetrahedra
+  std::vector<Cell> changed;
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     cell->info().Near = {};
+    changed.push_back(cell);
   }
+  constexpr int mostRounds = 100;
   std::size_t added = 0;
-  for (int round = 0; round < mostRounds && added < maximumPoints; ++round)
+  for (int round = 0; round < mostRounds && !changed.empty(); ++round)
   {
     progress(static_cast<double>(added) / static_cast<double>(maximumPoints));
     std::vector<Measured> edges;
-    for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
+    std::vector<Cell> far;
+    for (const Cell& cell : changed)
     {
       if (cell->info().IsPierced() && ReachesTooFar(mesh, cell, distance, tolerance))
       {
         edges.push_back(FindLongestEdge(cell));
+        far.push_back(cell);
       }
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    std::size_t split = 0;
+    std::vector<int> made;
     for (const Measured& edge : edges)
     {
-      split += added + split < maximumPoints &&
-        (SplitNearMiddle(mesh, FindTerminalEdge(mesh, edge)) || SplitNearMiddle(mesh, edge.second));
+      if (added == maximumPoints)
+      {
+        return;
+      }
+      int vertex = SplitNearMiddle(mesh, FindTerminalEdge(mesh, edge));
+      if (vertex < 0)
+      {
+        vertex = SplitNearMiddle(mesh, edge.second);
+      }
+      if (vertex >= 0)
+      {
+        made.push_back(vertex);
+        ++added;
+      }
     }
-    added += split;
-    if (split == 0)
+    if (made.empty())
     {
-      break;
+      return;
+    }
+    changed.clear();
+    mesh.BeginWalk();
+    for (const Cell& cell : far)
+    {
+      // Tetrahedra that are gone leave their places to others, or vacant.
+      if (mesh.GetDelaunay().tds().cells().is_used(cell))
+      {
+        mesh.Push(cell, changed);
+      }
+    }
+    for (const int vertex : made)
+    {
+      PushNeighborhood(mesh, vertex, changed);
     }
   }
 }

@@ -44,6 +44,21 @@ public:
   PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
     const std::function<bool(double)>& progress);
 
+  /**
+   * Insert a point at p, on a part, on an edge of parts, or off all parts, where the point must be
+   * within the hull and the search for it starts from the cell `near`. The mesh must be Delaunay.
+   * Return false, and insert nothing, if there already is a vertex or if the point is outside.
+   */
+  bool PutOnPart(int part, const Point& p);
+  bool PutOnEdge(int a, int b, const Point& p);
+  bool PutOff(const Point& p, const Cell& near);
+
+  /**
+   * Replaces a part and a neighbor that pierce tetrahedra because of rounding only by two parts
+   * that are faces. Returns whether that is possible.
+   */
+  bool TakeFaces(int part);
+
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 
@@ -131,6 +146,11 @@ public:
   std::vector<Cell> Refill(
     const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);
 
+  /** The number of comparisons of parts with tetrahedra so far: the work that has been done. */
+  std::size_t GetEffort() const
+  {
+    return this->Effort;
+  }
   const Delaunay& GetDelaunay() const
   {
     return this->Mesh;
@@ -160,6 +180,11 @@ private:
     std::vector<int> Parts;                ///< that are split
   };
 
+  bool Put(const Point& p, const Cell& near, bool outsideToo,
+    const std::function<void(int, Subdivision::Change&)>& split);
+  void Insert(int vertex, const Cell& start);
+  void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
+  static std::vector<int> PartsAt(const std::vector<Cell>& cells);
   Place PlaceOnEdge(int a, int b, const Point& p) const;
   Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
   int Split(const Place& place, const std::function<Vertex()>& insert);
@@ -185,6 +210,7 @@ private:
   std::vector<Vertex> Vertices;
   std::vector<int> Free; ///< the indices of removed vertices
   unsigned NumberOfWalks = 0;
+  std::size_t Effort = 0;
   std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
 

@@ -15,7 +15,7 @@ Subdivision::Subdivision(const ResolvedMesh& input)
   }
 }
 
-Subdivision::EdgeMap& Subdivision::GetPartsOfEdge()
+Subdivision::EdgeMap& Subdivision::GetPartsOfEdge() const
 {
   if (this->PartsOfEdge.empty())
   {

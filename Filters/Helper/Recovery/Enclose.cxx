@@ -6,7 +6,9 @@
 #include "Helper/Base/Effort.h"
 #include "Helper/Cutting/Cut.h"
 #include "Helper/Cutting/HalveKept.h"
+#include "Helper/Enclosing/CellShape.h"
 #include "Helper/Enclosing/ExposedFaces.h"
+#include "Helper/Enclosing/Refine.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 #include "Helper/Resolve/Intersections.h"
@@ -64,6 +66,27 @@ bool CrossesItselfOften(const ResolvedMesh& input)
 }
 
 /**
+ * Whether many of the pierced tetrahedra have no volume but for rounding. They are between points of
+ * one plane that are off it by a rounding; no double is inside them, so they can neither be cut nor
+ * halved.
+ */
+bool IsOftenFlat(const PiercedMesh& mesh)
+{
+  constexpr double often = 0.01;
+  constexpr double rounding = 1e-12;
+  std::size_t pierced = 0, flat = 0;
+  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
+  {
+    if (cell->info().IsPierced())
+    {
+      ++pierced;
+      flat += QualityOf(CornersOf(cell)) < rounding;
+    }
+  }
+  return static_cast<double>(flat) > often * static_cast<double>(pierced);
+}
+
+/**
  * Measures the share of M's area that pierces no tetrahedron, which is returned, and that of each
  * triangle's area.
  */
@@ -112,42 +135,46 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   const auto part = [&](double begin, double end) {
     return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
   };
-  const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-  constexpr std::ptrdiff_t many = 60000000; // they take some seconds
-  // Where triangles cross each other, recovery meets few, and cutting follows.
-  const bool crosses = CrossesItselfOften(input);
-  const std::ptrdiff_t steps =
-    crosses ? 100 * facets : std::max(100 * facets, std::min(300 * facets, many));
-  const RecoveryLimits limits = { 100000 + steps, tolerance > 0.0 };
+  const auto steps = [&](std::ptrdiff_t perFacet)
+  {
+    const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
+    constexpr std::ptrdiff_t many = 60000000; // they take some seconds
+    return 100000 + std::max(100 * facets, std::min(perFacet * facets, many));
+  };
+  const std::size_t most = MaximumPointsAdded(input.Points.size());
   auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
-  Recover(*mesh, limits, part(0.1, 0.2));
-  const auto measure = [&] { return MeasureKept(*mesh, distance, negligible * length, length); };
+  const bool mayAddPoints = tolerance > 0.0;
+  const bool cuts = mayAddPoints && CrossesItselfOften(input);
+  const bool refines = cuts && IsOftenFlat(*mesh);
   KeptDistances kept = {};
-  if (!crosses || tolerance <= 0.0)
+  if (!refines)
   {
-    kept = measure();
+    // Where triangles cross each other, recovery meets few, and cutting follows.
+    Recover(*mesh, { steps(cuts ? 100 : 300), mayAddPoints }, part(0.1, 0.2));
+    if (cuts)
+    {
+      constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
+      Cut(*mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+      HalveKept(*mesh, distance, bound, most, part(0.7, 0.8));
+      // A few more points take most of the surface much closer.
+      constexpr double closer = 0.1;
+      HalveKept(*mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.8, 0.9));
+    }
+    kept = MeasureKept(*mesh, distance, negligible * length, length);
   }
-  if (tolerance > 0.0 && crosses)
+  if (refines || (mayAddPoints && kept.Maximum > tolerance * length))
   {
-    const std::size_t most = MaximumPointsAdded(input.Points.size());
-    constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
-    Cut(*mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
-    HalveKept(*mesh, distance, bound, most, part(0.7, 0.8));
-    // A few more points take most of the surface much closer.
-    constexpr double closer = 0.1;
-    HalveKept(*mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.8, 0.9));
-    kept = measure();
-  }
-  if (tolerance > 0.0 && kept.Maximum > tolerance * length)
-  {
-    // Tetrahedra without volume, which cutting can leave, cannot be halved.
-    mesh = std::make_unique<PiercedMesh>(input, further, part(0.9, 0.91));
-    HalveKept(*mesh, distance, bound, MaximumPointsAdded(input.Points.size()), part(0.91, 0.95));
-    RecoveryLimits within = limits;
-    within.MayExist = [&](const Cell& cell)
+    if (!refines)
+    {
+      // Points can be put anywhere only as long as the mesh is Delaunay.
+      mesh = std::make_unique<PiercedMesh>(input, further, part(0.9, 0.91));
+    }
+    Refine(*mesh, distance, bound, most, part(0.91, 0.95));
+    RecoveryLimits limits = { steps(1000), true };
+    limits.MayExist = [&](const Cell& cell)
     { return IsExposedWithin(cell, *mesh, distance, bound); };
-    Recover(*mesh, within, part(0.95, 1.0));
-    kept = measure();
+    Recover(*mesh, limits, part(0.95, 1.0));
+    kept = MeasureKept(*mesh, distance, negligible * length, length);
   }
   result = {};
   result.Surface.PointSources = input.PointSources;

@@ -17,27 +17,6 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Edge = std::array<int, 2>;
 
-/** Whether a pierced cell has a face that reaches too far; faces that do not are remembered. */
-bool ReachesTooFar(
-  const PiercedMesh& mesh, const Cell& cell, const SurfaceDistance& distance, double tolerance)
-{
-  CellContacts& info = cell->info();
-  for (int f = 0; f < 4; ++f)
-  {
-    if (info.Near[f] || !IsExposed(mesh, cell, f))
-    {
-      continue;
-    }
-    info.Near[f] =
-      LongestEdge(cell) <= tolerance || distance.IsWithin(FacePoints(cell, f), tolerance);
-    if (!info.Near[f])
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /** An edge and its squared length. Ties are broken by the indices of the ends. */
 using Measured = std::pair<double, Edge>;
 
@@ -129,7 +108,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
     std::vector<Cell> far;
     for (const Cell& cell : changed)
     {
-      if (cell->info().IsPierced() && ReachesTooFar(mesh, cell, distance, tolerance))
+      if (ReachesTooFar(mesh, cell, distance, tolerance))
       {
         edges.push_back(FindLongestEdge(cell));
         far.push_back(cell);

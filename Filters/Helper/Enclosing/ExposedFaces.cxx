@@ -113,6 +113,26 @@ bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f)
   return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
 }
 
+bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
+  const SurfaceDistance& distance, double tolerance)
+{
+  CellContacts& info = cell->info();
+  for (int f = 0; f < 4 && info.IsPierced(); ++f)
+  {
+    if (info.Near[f] || !IsExposed(mesh, cell, f))
+    {
+      continue;
+    }
+    info.Near[f] =
+      LongestEdge(cell) <= tolerance || distance.IsWithin(FacePoints(cell, f), tolerance);
+    if (!info.Near[f])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
   const SurfaceDistance& distance, double tolerance)
 {

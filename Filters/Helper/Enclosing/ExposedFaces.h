@@ -23,6 +23,13 @@ double LongestEdge(const PiercedMesh::Cell& cell);
 bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f);
 
 /**
+ * Whether a cell is pierced and has an exposed face that is not within `tolerance` of M. Faces that
+ * are within it are remembered.
+ */
+bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
+  const SurfaceDistance& distance, double tolerance);
+
+/**
  * Whether every exposed face of a cell, or of a neighbor behind the cell's faces, is within
  * `tolerance` of M.
  */

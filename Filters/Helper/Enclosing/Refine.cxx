@@ -106,24 +106,9 @@ std::vector<std::array<PiercedMesh::Vertex, 4>> Refiner::FindFar() const
   std::vector<std::array<PiercedMesh::Vertex, 4>> far;
   for (const Cell cell : this->Mesh.GetDelaunay().finite_cell_handles())
   {
-    CellContacts& info = cell->info();
-    if (!info.IsPierced())
+    if (ReachesTooFar(this->Mesh, cell, this->Distance, this->Tolerance))
     {
-      continue;
-    }
-    for (int f = 0; f < 4; ++f)
-    {
-      if (info.Near[f] || !IsExposed(this->Mesh, cell, f))
-      {
-        continue;
-      }
-      info.Near[f] = LongestEdge(cell) <= this->Tolerance ||
-        this->Distance.IsWithin(FacePoints(cell, f), this->Tolerance);
-      if (!info.Near[f])
-      {
-        far.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
-        break;
-      }
+      far.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
     }
   }
   return far;

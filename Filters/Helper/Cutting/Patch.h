@@ -9,7 +9,6 @@
 #include "Helper/Cutting/CutMesh.h"
 
 #include <cstdint>
-#include <optional>
 #include <unordered_map>
 #include <vector>
 

@@ -262,8 +262,8 @@ public:
    *   triangle in another way. If all attempts fail, the result is an error. The last level is M.
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
    *   are never carved: levels enclose M and do not cross themselves. Triangles are recovered as
-   *   faces as far as possible; elsewhere, the last level only approximates M (see
-   *   EnclosingTolerance).
+   *   faces as far as possible. Along the others, the tetrahedra are cut, with vertices on the
+   *   triangles. What is left is approximated by the last level (see EnclosingTolerance).
    * - AUTO (default): EXACT, and ENCLOSING if that fails or takes too long, or if M crosses itself
    *   in so many places that resolving would multiply its size.
    *
@@ -297,12 +297,13 @@ public:
   /**
    * The distance that the tetrahedra that a mesh pierces, which are never carved, may reach from
    * the mesh in ENCLOSING mode, as a share of the diagonal of the mesh's bounding box. Where they
-   * reach farther, vertices are added on the mesh's triangles and near them until the tolerance
-   * holds, but at most 10 for each of the mesh's own vertices, plus 100,000. The array
-   * `KeptDistance` of the field data has the distance that has been reached, `KeptDistance99` the
-   * distance of all but a hundredth of the tetrahedra's surface, `KeptDistanceMean` the mean over
-   * this surface, and `MetShare` the share of the mesh's area that is met exactly. Range 0 to 1,
-   * default 0.02. With 0, no vertex is added, and levels have vertices of the mesh only.
+   * reach farther, they are halved until the tolerance holds, with at most 10 vertices for each of
+   * the mesh's own, plus 100,000. Rounding can prevent this where many points are nearly in one
+   * plane. The array `KeptDistance` of the field data has the distance that has been reached,
+   * `KeptDistance99` the distance of all but a hundredth of the tetrahedra's surface,
+   * `KeptDistanceMean` the mean over this surface, and `MetShare` the share of the mesh's area that
+   * is met exactly. Range 0 to 1, default 0.02. With 0, no vertex is added, neither to cut nor to
+   * halve, and levels have vertices of the mesh only.
    */
   void SetEnclosingTolerance(double value)
   {

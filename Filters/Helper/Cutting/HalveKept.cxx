@@ -5,6 +5,7 @@
 #include "Helper/Enclosing/ExposedFaces.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -99,9 +100,8 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
     cell->info().Near = {};
     changed.push_back(cell);
   }
-  constexpr int mostRounds = 100;
   std::size_t added = 0;
-  for (int round = 0; round < mostRounds && !changed.empty(); ++round)
+  while (!changed.empty())
   {
     progress(static_cast<double>(added) / static_cast<double>(maximumPoints));
     std::vector<Measured> edges;
@@ -114,7 +114,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
         far.push_back(cell);
       }
     }
-    std::sort(edges.begin(), edges.end());
+    std::sort(edges.begin(), edges.end(), std::greater<>());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     std::vector<int> made;
     for (const Measured& edge : edges)

@@ -133,22 +133,6 @@ bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
   return false;
 }
 
-bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
-  const SurfaceDistance& distance, double tolerance)
-{
-  for (int f = 0; f < 4; ++f)
-  {
-    const Cell other = cell->neighbor(f);
-    const bool outer = mesh.GetDelaunay().is_infinite(other);
-    const bool exposed = cell->info().IsPierced() != (!outer && other->info().IsPierced());
-    if (exposed && !distance.IsWithin(FacePoints(cell, f), tolerance))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 KeptDistances MeasureKept(
   const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible, double length)
 {

@@ -30,13 +30,6 @@ bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
   const SurfaceDistance& distance, double tolerance);
 
 /**
- * Whether every exposed face of a cell, or of a neighbor behind the cell's faces, is within
- * `tolerance` of M.
- */
-bool IsExposedWithin(const PiercedMesh::Cell& cell, const PiercedMesh& mesh,
-  const SurfaceDistance& distance, double tolerance);
-
-/**
  * The maximum is found by search, the others from samples that are a hundredth of `length` apart.
  * Faces that are parts of M are left out.
  */

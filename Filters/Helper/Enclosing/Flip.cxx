@@ -93,13 +93,13 @@ PiercedMesh::Flattened PiercedMesh::RemoveCrossed(
   const Cell& cell, const std::array<std::vector<int>, 2>& faces, const EdgePredicate& isProtected)
 {
   Flattened result;
-  Place place{ {}, {}, false, {}, {} };
+  Place place{ {}, {}, {}, {}, {} };
   for (int side = 0; side < 2; ++side)
   {
     const auto [i, j] = OtherCorners(faces[side][0], faces[side][1]);
     result.Edges[side] = { cell->vertex(i)->info().Index, cell->vertex(j)->info().Index };
     const Place edge = this->PlaceOnEdge(result.Edges[side][0], result.Edges[side][1], {});
-    place.OnHull |= edge.OnHull;
+    place.Outside.insert(place.Outside.end(), edge.Outside.begin(), edge.Outside.end());
     place.Cells.insert(place.Cells.end(), edge.Cells.begin(), edge.Cells.end());
     place.Parts.insert(place.Parts.end(), edge.Parts.begin(), edge.Parts.end());
     place.Edges.push_back(result.Edges[side]);

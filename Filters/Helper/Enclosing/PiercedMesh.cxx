@@ -139,7 +139,6 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, const Visit& visit)
   {
     const Cell cell = stack.back();
     stack.pop_back();
-    ++this->Effort;
     if (!visit(cell))
     {
       continue;
@@ -231,7 +230,6 @@ void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>
     [&](const IndexedBox& part, const IndexedBox& cell)
     { pairs.emplace_back(part.Index, cell.Index - firstCell); });
   std::sort(pairs.begin(), pairs.end());
-  this->Effort += pairs.size();
   for (auto pair = pairs.begin(); pair != pairs.end();)
   {
     const int part = pair->first;

@@ -44,21 +44,6 @@ public:
   PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
     const std::function<bool(double)>& progress);
 
-  /**
-   * Insert a point at p, on a part, on an edge of parts, or off all parts, where the point must be
-   * within the hull and the search for it starts from the cell `near`. The mesh must be Delaunay.
-   * Return false, and insert nothing, if there already is a vertex or if the point is outside.
-   */
-  bool PutOnPart(int part, const Point& p);
-  bool PutOnEdge(int a, int b, const Point& p);
-  bool PutOff(const Point& p, const Cell& near);
-
-  /**
-   * Replaces a part and a neighbor that pierce tetrahedra because of rounding only by two parts
-   * that are faces. Returns whether that is possible.
-   */
-  bool TakeFaces(int part);
-
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 
@@ -136,21 +121,12 @@ public:
   /** A new vertex, for Refill. */
   Vertex AddVertex(const Point& p);
 
-  /** Removes the vertices that were added last, which no cell has. */
-  void RemoveLastVertices(int count);
-
   /**
    * Replaces cells by others that fill the same space, given by their corners and oriented
-   * positively. Afterwards the mesh is no longer Delaunay. Returns the new cells.
+   * positively. Afterwards the mesh is no longer Delaunay.
    */
-  std::vector<Cell> Refill(
-    const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);
+  void Refill(const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells);
 
-  /** The number of comparisons of parts with tetrahedra so far: the work that has been done. */
-  std::size_t GetEffort() const
-  {
-    return this->Effort;
-  }
   const Delaunay& GetDelaunay() const
   {
     return this->Mesh;
@@ -175,16 +151,11 @@ private:
   {
     Point At;
     std::vector<Cell> Cells;               ///< that have the point on an edge or a face
-    bool OnHull = false;                   ///< whether further cells are infinite
+    std::vector<Cell> Outside;             ///< infinite ones, if the point is on the hull
     std::vector<std::array<int, 2>> Edges; ///< that are split
     std::vector<int> Parts;                ///< that are split
   };
 
-  bool Put(const Point& p, const Cell& near, bool outsideToo,
-    const std::function<void(int, Subdivision::Change&)>& split);
-  void Insert(int vertex, const Cell& start);
-  void Replace(const Subdivision::Change& change, const std::function<void()>& meanwhile);
-  static std::vector<int> PartsAt(const std::vector<Cell>& cells);
   Place PlaceOnEdge(int a, int b, const Point& p) const;
   Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
   int Split(const Place& place, const std::function<Vertex()>& insert);
@@ -210,7 +181,6 @@ private:
   std::vector<Vertex> Vertices;
   std::vector<int> Free; ///< the indices of removed vertices
   unsigned NumberOfWalks = 0;
-  std::size_t Effort = 0;
   std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
 };
 

@@ -171,17 +171,7 @@ void PiercedMesh::SetVertex(int index, const Vertex& v)
   this->Vertices[index] = v;
 }
 
-void PiercedMesh::RemoveLastVertices(int count)
-{
-  for (int i = 0; i < count; ++i)
-  {
-    this->Mesh.tds().delete_vertex(this->Vertices.back());
-    this->Vertices.pop_back();
-    this->Parts.RemoveLastPoint();
-  }
-}
-
-std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
+void PiercedMesh::Refill(
   const std::vector<Cell>& old, const std::vector<std::array<Vertex, 4>>& cells)
 {
   const PartsOfCells parts = this->Collect(old);
@@ -202,11 +192,10 @@ std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
       }
     }
   }
-  std::vector<Cell> made, finite;
+  std::vector<Cell> finite;
   for (const auto& [a, b, c, d] : cells)
   {
     const Cell cell = this->Mesh.tds().create_cell(a, b, c, d);
-    made.push_back(cell);
     for (int f = 0; f < 4; ++f)
     {
       cell->vertex(f)->set_cell(cell);
@@ -220,7 +209,6 @@ std::vector<PiercedMesh::Cell> PiercedMesh::Refill(
   joiner.Join(this->Mesh.tds());
   this->Mesh.tds().delete_cells(old.begin(), old.end());
   this->Renew(finite, parts);
-  return made;
 }
 
 /** Finds the parts that meet cells. */

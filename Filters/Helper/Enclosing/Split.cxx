@@ -25,7 +25,7 @@ int IndexOf(const Cell& cell, int i)
   return cell->vertex(i)->info().Index;
 }
 
-/** A set of cells around a point, which sees all of their outer faces from inside. */
+/** A set of cells around a point, which sees all of their outer finite faces from inside. */
 class StarShape
 {
 public:
@@ -37,21 +37,21 @@ public:
 
   /**
    * Adds the cells behind faces that the point does not see. Returns false if such a face is a part
-   * of M or on the hull, or if there are too many.
+   * of M or, unless the point is `onHull`, on the hull, or if there are too many.
    */
-  bool Grow(const PiercedMesh& mesh, const Inexact::Point_3& p)
+  bool Grow(const PiercedMesh::Delaunay& mesh, const Inexact::Point_3& p, bool onHull)
   {
     for (std::size_t i = 0; i < this->Cells.size(); ++i)
     {
       const Cell cell = this->Cells[i];
-      for (int f = 0; f < 4; ++f)
+      for (int f = 0; f < 4 && !mesh.is_infinite(cell); ++f)
       {
         const Cell neighbor = cell->neighbor(f);
         if (this->Within.count(neighbor) > 0 || IsPositive(cell, f, p))
         {
           continue;
         }
-        if (mesh.GetDelaunay().is_infinite(neighbor) || cell->info().PartOn(f) >= 0 ||
+        if ((!onHull && mesh.is_infinite(neighbor)) || cell->info().PartOn(f) >= 0 ||
           this->Cells.size() >= MaximumStar)
         {
           return false;
@@ -138,12 +138,12 @@ std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
 
 PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
 {
-  Place place{ p, {}, false, { { a, b } }, {} };
+  Place place{ p, {}, {}, { { a, b } }, {} };
   for (const Cell& cell : this->FindCellsAround(a, b))
   {
     if (this->Mesh.is_infinite(cell))
     {
-      place.OnHull = true;
+      place.Outside.push_back(cell);
       continue;
     }
     place.Cells.push_back(cell);
@@ -162,13 +162,13 @@ PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
 
 PiercedMesh::Place PiercedMesh::PlaceOnFace(const Cell& cell, int f, const Point& p) const
 {
-  Place place{ p, {}, false, {}, {} };
+  Place place{ p, {}, {}, {}, {} };
   const Cell other = cell->neighbor(f);
   for (const auto& [side, face] : { std::pair(cell, f), std::pair(other, other->index(cell)) })
   {
     if (this->Mesh.is_infinite(side))
     {
-      place.OnHull = true;
+      place.Outside.push_back(side);
       continue;
     }
     place.Cells.push_back(side);
@@ -237,8 +237,10 @@ int PiercedMesh::Split(const Place& place, const std::function<Vertex()>& insert
  */
 int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
 {
-  StarShape star(place.Cells);
-  if (place.OnHull || !star.Grow(*this, ToInexact(place.At)))
+  std::vector<Cell> cells = place.Cells;
+  cells.insert(cells.end(), place.Outside.begin(), place.Outside.end());
+  StarShape star(cells);
+  if (!star.Grow(this->Mesh, ToInexact(place.At), !place.Outside.empty()))
   {
     return -1;
   }
@@ -253,7 +255,8 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
       {
         const int a = IndexOf(cell, i), b = IndexOf(cell, j);
         if (!surface.Has(a) || !surface.Has(b) ||
-          (!surface.Has(a, b) && !IsAmong(place.Edges, a, b) && isProtected(a, b)))
+          (!surface.Has(a, b) && !IsAmong(place.Edges, a, b) && std::min(a, b) >= 0 &&
+            isProtected(a, b)))
         {
           return -1;
         }
@@ -268,8 +271,8 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
     {
       const bool isSplit =
         std::find(place.Parts.begin(), place.Parts.end(), contact.Part) != place.Parts.end();
-      if (!this->IsOnWholeFace(cell, contact) ||
-        (!isSplit && star.Has(cell->neighbor(contact.How.Face))))
+      if (this->IsOnWholeFace(cell, contact) && !isSplit &&
+        star.Has(cell->neighbor(contact.How.Face)))
       {
         return -1;
       }

@@ -15,7 +15,7 @@ Subdivision::Subdivision(const ResolvedMesh& input)
   }
 }
 
-Subdivision::EdgeMap& Subdivision::GetPartsOfEdge() const
+Subdivision::EdgeMap& Subdivision::GetPartsOfEdge()
 {
   if (this->PartsOfEdge.empty())
   {

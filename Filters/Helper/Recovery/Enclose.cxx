@@ -6,16 +6,13 @@
 #include "Helper/Base/Effort.h"
 #include "Helper/Cutting/Cut.h"
 #include "Helper/Cutting/HalveKept.h"
-#include "Helper/Enclosing/CellShape.h"
 #include "Helper/Enclosing/ExposedFaces.h"
-#include "Helper/Enclosing/Refine.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
 #include <cfloat>
-#include <memory>
 #include <numeric>
 
 namespace carving::helper
@@ -63,27 +60,6 @@ bool CrossesItselfOften(const ResolvedMesh& input)
   constexpr double often = 0.01; // per triangle
   const std::size_t crossings = FindIntersections(input.Points, input.Facets).size();
   return static_cast<double>(crossings) > often * static_cast<double>(input.Facets.size());
-}
-
-/**
- * Whether many of the pierced tetrahedra have no volume but for rounding. They are between points of
- * one plane that are off it by a rounding; no double is inside them, so they can neither be cut nor
- * halved.
- */
-bool IsOftenFlat(const PiercedMesh& mesh)
-{
-  constexpr double often = 0.01;
-  constexpr double rounding = 1e-12;
-  std::size_t pierced = 0, flat = 0;
-  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    if (cell->info().IsPierced())
-    {
-      ++pierced;
-      flat += QualityOf(CornersOf(cell)) < rounding;
-    }
-  }
-  return static_cast<double>(flat) > often * static_cast<double>(pierced);
 }
 
 /**
@@ -135,59 +111,38 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   const auto part = [&](double begin, double end) {
     return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
   };
-  const auto steps = [&](std::ptrdiff_t perFacet)
-  {
-    const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-    constexpr std::ptrdiff_t many = 60000000; // they take some seconds
-    return 100000 + std::max(100 * facets, std::min(perFacet * facets, many));
-  };
-  const std::size_t most = MaximumPointsAdded(input.Points.size());
-  auto mesh = std::make_unique<PiercedMesh>(input, further, part(0.0, 0.1));
   const bool mayAddPoints = tolerance > 0.0;
-  const bool cuts = mayAddPoints && CrossesItselfOften(input);
-  const bool refines = cuts && IsOftenFlat(*mesh);
-  KeptDistances kept = {};
-  if (!refines)
+  PiercedMesh mesh(input, further, part(0.0, 0.1));
+  // Where triangles cross each other, recovery meets few of them.
+  const bool crosses = mayAddPoints && CrossesItselfOften(input);
+  const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
+  constexpr std::ptrdiff_t many = 60000000; // they take some seconds
+  const std::ptrdiff_t steps =
+    crosses ? 100 * facets : std::max(100 * facets, std::min(300 * facets, many));
+  Recover(mesh, { 100000 + steps, mayAddPoints }, part(0.1, 0.2));
+  if (mayAddPoints)
   {
-    // Where triangles cross each other, recovery meets few, and cutting follows.
-    Recover(*mesh, { steps(cuts ? 100 : 300), mayAddPoints }, part(0.1, 0.2));
-    if (cuts)
-    {
-      constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
-      Cut(*mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
-      HalveKept(*mesh, distance, bound, most, part(0.7, 0.8));
-      // A few more points take most of the surface much closer.
-      constexpr double closer = 0.1;
-      HalveKept(*mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.8, 0.9));
-    }
-    kept = MeasureKept(*mesh, distance, negligible * length, length);
+    const std::size_t most = MaximumPointsAdded(input.Points.size());
+    constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
+    Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+    // A few more points take most of the surface much closer than it has to be.
+    constexpr double closer = 0.1;
+    HalveKept(mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.7, 0.8));
+    HalveKept(mesh, distance, bound, most, part(0.8, 0.9));
   }
-  if (refines || (mayAddPoints && kept.Maximum > tolerance * length))
-  {
-    if (!refines)
-    {
-      // Points can be put anywhere only as long as the mesh is Delaunay.
-      mesh = std::make_unique<PiercedMesh>(input, further, part(0.9, 0.91));
-    }
-    Refine(*mesh, distance, bound, most, part(0.91, 0.95));
-    RecoveryLimits limits = { steps(1000), true };
-    limits.MayExist = [&](const Cell& cell)
-    { return IsExposedWithin(cell, *mesh, distance, bound); };
-    Recover(*mesh, limits, part(0.95, 1.0));
-    kept = MeasureKept(*mesh, distance, negligible * length, length);
-  }
+  const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);
   result = {};
   result.Surface.PointSources = input.PointSources;
-  WriteCells(*mesh, result);
+  WriteCells(mesh, result);
   result.Kept.resize(result.Cells.size());
-  for (const Cell cell : mesh->GetDelaunay().finite_cell_handles())
+  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     result.Kept[cell->info().Index] = cell->info().IsPierced();
   }
-  WriteFaces(*mesh, input, result);
+  WriteFaces(mesh, input, result);
   result.Unresolved = input;
   result.MetShares.resize(input.Facets.size());
-  return { kept, MeasureMetShares(*mesh, result.MetShares) };
+  return { kept, MeasureMetShares(mesh, result.MetShares) };
 }
 
 } // namespace carving::helper

@@ -46,7 +46,7 @@ Pass MakePass(int index)
 /** The cells to be replaced, and their vertices as points of a cavity. */
 struct Region
 {
-  std::vector<Cell>& Cells;
+  const std::vector<Cell>& Cells;
   std::vector<Vertex> Vertices; ///< per point of the cavity; none for a point that has been added
   std::map<Vertex, int> Indices;
   Cavity Space;
@@ -58,7 +58,6 @@ public:
   Recoverer(PiercedMesh& mesh, const RecoveryLimits& limits)
     : Mesh(mesh)
     , StepsLeft(limits.Steps)
-    , MayExist(limits.MayExist)
   {
   }
 
@@ -79,17 +78,16 @@ private:
   void AddInfinite(int part, std::vector<Cell>& cells) const;
   void Grow(std::vector<Cell>& cells) const;
   void TryEdge(int part, int edge, const Pass& pass);
-  bool TryCells(int part, int edge, std::vector<Cell>& cells, const Pass& pass);
+  bool TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass);
   void AddVertices(int part, Region& region) const;
   Inexact::Point_3 PlaceInfinity(int part, const Cell& cell, int i) const;
   void AddFront(Region& region) const;
   void Demand(int part, int edge, Region& region) const;
   void AddPoints(int part, int maximumPoints, Region& region);
-  bool Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region);
+  void Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region);
 
   PiercedMesh& Mesh;
   std::ptrdiff_t StepsLeft;
-  const CellPredicate& MayExist;
   std::mt19937 Random;
 };
 
@@ -239,11 +237,8 @@ void Recoverer::AddPoints(int part, int maximumPoints, Region& region)
   region.Vertices.resize(region.Space.Points.size());
 }
 
-/**
- * Fills the space of cells anew, with a part or an edge of it. If that fails, `cells` are those in
- * the same place.
- */
-bool Recoverer::TryCells(int part, int edge, std::vector<Cell>& cells, const Pass& pass)
+/** Fills the space of cells anew, with a part or an edge of it. Returns whether it did. */
+bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass)
 {
   Region region{ cells, {}, {}, {} };
   this->AddVertices(part, region);
@@ -262,41 +257,28 @@ bool Recoverer::TryCells(int part, int edge, std::vector<Cell>& cells, const Pas
   Filling filling(region.Space);
   const bool filled = filling.Run(steps);
   this->StepsLeft -= pass.Steps - steps;
-  return filled && this->Commit(filling.GetCells(), region);
+  if (filled)
+  {
+    this->Commit(filling.GetCells(), region);
+  }
+  return filled;
 }
 
-/** Replaces the cells, unless some cell may not be there then. Returns whether it did. */
-bool Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region)
+/** Replaces the cells of a region. */
+void Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region)
 {
-  std::vector<std::array<Vertex, 4>> before, made;
-  for (const Cell& cell : region.Cells)
-  {
-    before.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
-  }
-  int added = 0;
+  std::vector<std::array<Vertex, 4>> made;
   for (const Filling::Tetrahedron& cell : cells)
   {
     auto& corners = made.emplace_back();
     for (int i = 0; i < 4; ++i)
     {
       Vertex& v = region.Vertices[cell[i]];
-      if (v == Vertex())
-      {
-        v = this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]]));
-        ++added;
-      }
+      v = v == Vertex() ? this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]])) : v;
       corners[i] = v;
     }
   }
-  const std::vector<Cell> now = this->Mesh.Refill(region.Cells, made);
-  const bool good = std::all_of(now.begin(), now.end(),
-    [&](const Cell& cell) { return this->IsInfinite(cell) || this->MayExist(cell); });
-  if (!good)
-  {
-    region.Cells = this->Mesh.Refill(now, before);
-    this->Mesh.RemoveLastVertices(added);
-  }
-  return good;
+  this->Mesh.Refill(region.Cells, made);
 }
 
 void Recoverer::TryEdge(int part, int edge, const Pass& pass)

@@ -13,15 +13,11 @@
 namespace carving::helper
 {
 
-using CellPredicate = std::function<bool(const PiercedMesh::Cell&)>;
-
 struct RecoveryLimits
 {
   std::ptrdiff_t Steps;      ///< comparisons of a triangle or a point with a tetrahedron
   bool MayAddPoints;         ///< off M
   double MissingShare = 1.0; ///< nothing is recovered if more of the parts are no faces
-  /** All finite cells that are made satisfy this, which is asked while they are in the mesh. */
-  CellPredicate MayExist = [](const PiercedMesh::Cell&) { return true; };
 };
 
 /**

@@ -5,7 +5,6 @@
 #include "Helper/Cutting/Patch.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace carving::helper
 {
@@ -19,24 +18,6 @@ using Part = Subdivision::Part;
  * that fails takes as long as many small ones.
  */
 constexpr std::size_t LeastEffort = 300000, EffortPerPart = 100;
-
-std::vector<int> FindPiercing(const PiercedMesh& mesh)
-{
-  std::vector<int> parts;
-  for (const PiercedMesh::Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    for (const PartContact& contact : cell->info().All)
-    {
-      if (contact.How.Pierces)
-      {
-        parts.push_back(contact.Part);
-      }
-    }
-  }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-  return parts;
-}
 
 class Cutter
 {
@@ -155,13 +136,13 @@ void Cutter::GiveUp(const Part& part)
 void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
   const std::function<bool(double)>& progress)
 {
-  const std::vector<int> piercing = FindPiercing(mesh);
+  const std::vector<int> missing = mesh.FindMissing();
   std::vector<Part> parts;
-  for (const int part : piercing)
+  for (const int part : missing)
   {
     parts.push_back(mesh.GetParts().GetParts()[part]);
   }
-  mesh.TakeParts(piercing);
+  mesh.TakeParts(missing);
   const std::vector<Point>& points = mesh.GetParts().GetPoints();
   const auto areaOf = [&](const Part& part)
   {

@@ -20,10 +20,11 @@ struct CutLimits
 };
 
 /**
- * Makes a union of faces of each part of M that pierces tetrahedra, the largest first: vertices are
- * put where edges of the part pierce faces and edges of tetrahedra pierce the part. Where parts
- * cross each other, they share vertices afterwards. Those parts that resist still pierce
- * tetrahedra. What is within `tolerance`, a length, of a part counts as being on it.
+ * Makes a union of faces of each part of M that is no face, the largest first: vertices are put
+ * where edges of the part pierce faces and edges of tetrahedra pierce the part. Where parts cross
+ * each other, they share vertices afterwards. Those parts that resist still pierce tetrahedra, or
+ * lie on faces that extend beyond them. What is within `tolerance`, a length, of a part counts as
+ * being on it.
  */
 void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
   const std::function<bool(double)>& progress);

@@ -216,6 +216,26 @@ TEST(Cut, MeetsTrianglesThatOverlapInAPlane)
   EXPECT_GE(met, all * 97 / 100);
 }
 
+// A triangle that pierces nothing, since its plane is triangulated in another way, becomes a face.
+TEST(Cut, MakesFacesOfCoveredTriangles)
+{
+  for (const bool otherDiagonals : { false, true })
+  {
+    TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 2, 3 });
+    for (std::size_t i = 0; i < box.Triangles.size() && otherDiagonals; i += 2)
+    {
+      const auto [a, b, c] = box.Triangles[i];
+      const int d = box.Triangles[i + 1][2];
+      box.Triangles[i] = { a, b, d };
+      box.Triangles[i + 1] = { b, c, d };
+    }
+    PiercedMesh mesh = MakePierced(Clean(AsResolved(box)));
+    Cut(mesh, 1e-12, { 1000, 1000 }, Proceed);
+    EXPECT_EQ(mesh.FindMissing(), std::vector<int>());
+    EXPECT_NEAR(SixVolumeOf(mesh), 36.0, 1e-9);
+  }
+}
+
 // Cutting keeps every tetrahedron oriented positively, and the hull filled, whatever is degenerate.
 TEST(Cut, KeepsTheMeshValid)
 {

@@ -93,7 +93,7 @@ PiercedMesh::Flattened PiercedMesh::RemoveCrossed(
   const Cell& cell, const std::array<std::vector<int>, 2>& faces, const EdgePredicate& isProtected)
 {
   Flattened result;
-  Place place{ {}, {}, {}, {}, {} };
+  Place place{};
   for (int side = 0; side < 2; ++side)
   {
     const auto [i, j] = OtherCorners(faces[side][0], faces[side][1]);

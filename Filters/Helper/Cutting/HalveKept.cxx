@@ -5,9 +5,8 @@
 #include "Helper/Enclosing/ExposedFaces.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace carving::helper
@@ -18,21 +17,31 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Edge = std::array<int, 2>;
 
-/** An edge and its squared length. Ties are broken by the indices of the ends. */
-using Measured = std::pair<double, Edge>;
+/** An edge, and a cell that has it as long as the mesh stays the same. */
+struct Measured
+{
+  double SquaredLength = -1.0;
+  Edge Ends = {}; ///< break ties
+  PiercedMesh::Delaunay::Edge Handle;
+
+  friend bool operator<(const Measured& a, const Measured& b)
+  {
+    return std::tie(a.SquaredLength, a.Ends) < std::tie(b.SquaredLength, b.Ends);
+  }
+};
 
 Measured FindLongestEdge(const Cell& cell)
 {
-  Measured longest(-1.0, Edge{});
+  Measured longest;
   for (int i = 0; i < 3; ++i)
   {
     for (int k = i + 1; k < 4; ++k)
     {
       const auto [lower, upper] =
         std::minmax({ cell->vertex(i)->info().Index, cell->vertex(k)->info().Index });
-      const double length =
+      const double squaredLength =
         CGAL::squared_distance(cell->vertex(i)->point(), cell->vertex(k)->point());
-      longest = std::max(longest, Measured(length, Edge{ lower, upper }));
+      longest = std::max(longest, { squaredLength, { lower, upper }, { cell, i, k } });
     }
   }
   return longest;
@@ -42,21 +51,27 @@ Measured FindLongestEdge(const Cell& cell)
  * From edge to longer edge, to one that is the longest in all cells around it. To halve others
  * would make cells ever thinner (Rivara's longest-edge propagation path).
  */
-Edge FindTerminalEdge(const PiercedMesh& mesh, Measured edge)
+Edge FindTerminalEdge(const PiercedMesh& mesh, const Measured& start)
 {
-  Measured longest = edge;
-  do
+  Measured longest = start;
+  std::vector<Cell> cells = mesh.FindCellsAround(start.Ends[0], start.Ends[1]);
+  bool isLonger = !cells.empty();
+  while (isLonger)
   {
-    edge = longest;
-    for (const Cell& cell : mesh.FindCellsAround(edge.second[0], edge.second[1]))
+    isLonger = false;
+    for (const Cell& cell : cells)
     {
-      if (!mesh.GetDelaunay().is_infinite(cell))
+      const Measured edge =
+        mesh.GetDelaunay().is_infinite(cell) ? Measured() : FindLongestEdge(cell);
+      if (longest < edge)
       {
-        longest = std::max(longest, FindLongestEdge(cell));
+        longest = edge;
+        isLonger = true;
       }
     }
-  } while (longest != edge);
-  return edge.second;
+    cells = isLonger ? mesh.FindCellsAround(longest.Handle) : cells;
+  }
+  return longest.Ends;
 }
 
 /** Rounding turns other cells over at other points of an edge. Returns the vertex; -1: none. */
@@ -114,8 +129,11 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
         far.push_back(cell);
       }
     }
-    std::sort(edges.begin(), edges.end(), std::greater<>());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    std::sort(
+      edges.begin(), edges.end(), [](const Measured& a, const Measured& b) { return b < a; });
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                  [](const Measured& a, const Measured& b) { return a.Ends == b.Ends; }),
+      edges.end());
     std::vector<int> made;
     for (const Measured& edge : edges)
     {
@@ -126,7 +144,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
       int vertex = SplitNearMiddle(mesh, FindTerminalEdge(mesh, edge));
       if (vertex < 0)
       {
-        vertex = SplitNearMiddle(mesh, edge.second);
+        vertex = SplitNearMiddle(mesh, edge.Ends);
       }
       if (vertex >= 0)
       {

@@ -23,6 +23,10 @@ Patch::Patch(CutMesh& mesh, const Triangle& corners)
   {
     this->Sides[vertex] = 0;
   }
+  for (int i = 0; i < 3; ++i)
+  {
+    this->CornerPoints[i] = ToInexact(mesh.PointOf(corners[i]));
+  }
   const Point& a = mesh.PointOf(corners[0]);
   this->Normal = Cross(mesh.PointOf(corners[1]) - a, mesh.PointOf(corners[2]) - a);
   const double length = Length(this->Normal);
@@ -52,19 +56,9 @@ int Patch::SideOf(int vertex)
 /** Whether an edge of a cell crosses the inside of the triangle. */
 bool Patch::IsCrossing(const Cell& cell, int i, int j)
 {
-  if (this->SideOf(cell->vertex(i)->info().Index) * this->SideOf(cell->vertex(j)->info().Index) >=
-    0)
-  {
-    return false;
-  }
-  const Inexact::Point_3 &p = cell->vertex(i)->point(), &q = cell->vertex(j)->point();
-  std::array<CGAL::Orientation, 3> turns;
-  for (int k = 0; k < 3; ++k)
-  {
-    turns[k] = CGAL::orientation(p, q, ToInexact(this->Mesh.PointOf(this->Corners[k])),
-      ToInexact(this->Mesh.PointOf(this->Corners[(k + 1) % 3])));
-  }
-  return turns[0] != CGAL::COPLANAR && turns[0] == turns[1] && turns[1] == turns[2];
+  return this->SideOf(cell->vertex(i)->info().Index) * this->SideOf(cell->vertex(j)->info().Index) <
+    0 &&
+    CrossesInside(cell->vertex(i)->point(), cell->vertex(j)->point(), this->CornerPoints);
 }
 
 /**

@@ -45,6 +45,7 @@ private:
 
   CutMesh& Mesh;
   Triangle Corners;
+  Corners3 CornerPoints;
   Point Normal;          ///< of length 1; 0 if the triangle has no area
   std::vector<int> Loop; ///< all vertices on the border, in the direction of the triangle
   /** By vertex: on which side of the plane it is; 0 if it is on it. */

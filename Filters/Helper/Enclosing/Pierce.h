@@ -78,6 +78,12 @@ private:
   bool Usable;
 };
 
+/**
+ * Whether the segment between points on either side of a triangle's plane crosses the inside of the
+ * triangle.
+ */
+bool CrossesInside(const Inexact::Point_3& p, const Inexact::Point_3& q, const Corners3& triangle);
+
 /** A triangle that has an area, prepared for comparison with many tetrahedra. */
 class Piercer
 {
@@ -97,6 +103,8 @@ public:
 
 private:
   bool MeetsBox(const Corners4& tetrahedron) const;
+  bool HasCrossingEdge(
+    const Corners4& tetrahedron, const std::array<CGAL::Orientation, 4>& sides) const;
 
   Corners3 Corners;
   SpannedPlane Plane;

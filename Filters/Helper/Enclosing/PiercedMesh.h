@@ -50,7 +50,10 @@ public:
   /** Whether the part of a contact is a face of the cell, not only a piece of one. */
   bool IsOnWholeFace(const Cell& cell, const PartContact& contact) const;
 
-  /** The parts that are no faces, in ascending order of the number of tetrahedra that they meet. */
+  /** For each part, the number of tetrahedra that it pierces or of which it overlaps a face. */
+  std::vector<int> CountCells() const;
+
+  /** The parts that are no faces, in ascending order of CountCells. */
   std::vector<int> FindMissing() const;
 
   /** The tetrahedra that a part pierces, or a face of which it overlaps in an area. */
@@ -117,6 +120,7 @@ public:
 
   /** All tetrahedra around an edge, infinite ones, too; none if there is no such edge. */
   std::vector<Cell> FindCellsAround(int a, int b) const;
+  std::vector<Cell> FindCellsAround(const Delaunay::Edge& edge) const;
 
   /** A new vertex, for Refill. */
   Vertex AddVertex(const Point& p);

@@ -8,7 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <utility>
 
 namespace carving::helper
 {
@@ -28,34 +29,60 @@ public:
     {
       if (corner != vertex)
       {
-        ++this->Counts[part.Parent][corner];
+        this->Edges.emplace_back(part.Parent, corner);
       }
     }
   }
 
-  /**
-   * Whether each triangle of M stays the same when the vertex moves to `u`: inside of a triangle,
-   * along one of its edges; on the border of a triangle, along that border.
-   */
-  bool MayMove(int u) const
+  bool IsEmpty() const
   {
-    return std::all_of(this->Counts.begin(), this->Counts.end(),
-      [&](const auto& parent)
-      {
-        const auto& [triangle, counts] = parent;
-        const auto found = counts.find(u);
-        const auto border = std::count_if(
-          counts.begin(), counts.end(), [](const auto& corner) { return corner.second == 1; });
-        const bool isSimple = std::all_of(
-          counts.begin(), counts.end(), [](const auto& corner) { return corner.second <= 2; });
-        return found != counts.end() && isSimple &&
-          (border == 0 || (border == 2 && found->second == 1));
-      });
+    return this->Edges.empty();
+  }
+
+  /**
+   * The vertices to which the vertex may move so that each triangle of M stays the same: inside of
+   * a triangle, along one of its edges; on the border of a triangle, along that border.
+   */
+  std::vector<int> FindTargets()
+  {
+    std::sort(this->Edges.begin(), this->Edges.end());
+    std::vector<int> targets, common;
+    for (auto begin = this->Edges.begin(); begin != this->Edges.end();)
+    {
+      const auto end = std::find_if(
+        begin, this->Edges.end(), [&](const Edge& edge) { return edge.first != begin->first; });
+      const std::vector<int> within = FindTargets(begin, end);
+      common.clear();
+      std::set_intersection(
+        targets.begin(), targets.end(), within.begin(), within.end(), std::back_inserter(common));
+      targets = begin == this->Edges.begin() ? within : common;
+      begin = end;
+    }
+    return targets;
   }
 
 private:
-  /** Per triangle: how many of its parts have an edge from the vertex to another one. */
-  std::map<int, std::map<int, int>> Counts;
+  using Edge = std::pair<int, int>; ///< the triangle of a part, and another corner of the part
+  using At = std::vector<Edge>::const_iterator;
+
+  /** The targets for one triangle, in ascending order. */
+  static std::vector<int> FindTargets(At begin, const At& end)
+  {
+    std::vector<int> inside, border; // edges of two parts, and edges of one
+    while (begin != end)
+    {
+      const At next = std::find_if(begin, end, [&](const Edge& edge) { return edge != *begin; });
+      if (next - begin > 2)
+      {
+        return {};
+      }
+      (next - begin == 1 ? border : inside).push_back(begin->second);
+      begin = next;
+    }
+    return border.empty() ? inside : border.size() == 2 ? border : std::vector<int>();
+  }
+
+  std::vector<Edge> Edges;
 };
 
 std::vector<int> FindNeighbors(const std::vector<Cell>& star, const Vertex& v)
@@ -135,10 +162,9 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
   }
   int target = -1;
   double best = 0.0;
-  for (const int u : FindNeighbors(star, v))
+  for (const int u : umbrella.IsEmpty() ? FindNeighbors(star, v) : umbrella.FindTargets())
   {
-    const double quality =
-      umbrella.MayMove(u) && mayMove(u) ? FindQuality(star, v, this->Vertices[u], best) : 0.0;
+    const double quality = mayMove(u) ? FindQuality(star, v, this->Vertices[u], best) : 0.0;
     target = quality > best ? u : target;
     best = std::max(best, quality);
   }

@@ -122,17 +122,21 @@ std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
 {
   Cell cell;
   int i = 0, j = 0;
+  return this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j)
+    ? this->FindCellsAround({ cell, i, j })
+    : std::vector<Cell>();
+}
+
+std::vector<Cell> PiercedMesh::FindCellsAround(const Delaunay::Edge& edge) const
+{
   std::vector<Cell> cells;
-  if (this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j))
+  auto at = this->Mesh.tds().incident_cells(edge);
+  const Cell first = at;
+  do
   {
-    auto at = this->Mesh.tds().incident_cells(cell, i, j);
-    const Cell first = at;
-    do
-    {
-      cells.push_back(at);
-      ++at;
-    } while (Cell(at) != first);
-  }
+    cells.push_back(at);
+    ++at;
+  } while (Cell(at) != first);
   return cells;
 }
 
@@ -306,13 +310,11 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
 
 int PiercedMesh::SplitEdge(int a, int b, const Point& p, const EdgePredicate& isProtected)
 {
-  Cell cell;
-  int i = 0, j = 0;
-  if (!this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j))
+  const Place place = this->PlaceOnEdge(a, b, p);
+  if (place.Cells.empty())
   {
     return -1;
   }
-  const Place place = this->PlaceOnEdge(a, b, p);
   const Inexact::Point_3 at = ToInexact(p);
   const bool isPositive = std::all_of(place.Cells.begin(), place.Cells.end(),
     [&](const Cell& around)
@@ -320,9 +322,13 @@ int PiercedMesh::SplitEdge(int a, int b, const Point& p, const EdgePredicate& is
       return IsPositive(around, around->index(this->Vertices[a]), at) &&
         IsPositive(around, around->index(this->Vertices[b]), at);
     });
-  return isPositive
-    ? this->Split(place, [&] { return this->Mesh.tds().insert_in_edge(cell, i, j); })
-    : this->SplitStar(place, isProtected);
+  const auto insert = [&]
+  {
+    const Cell cell = place.Cells.front();
+    return this->Mesh.tds().insert_in_edge(
+      cell, cell->index(this->Vertices[a]), cell->index(this->Vertices[b]));
+  };
+  return isPositive ? this->Split(place, insert) : this->SplitStar(place, isProtected);
 }
 
 int PiercedMesh::SplitFace(

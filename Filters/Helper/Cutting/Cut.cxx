@@ -5,6 +5,7 @@
 #include "Helper/Cutting/Patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carving::helper
 {
@@ -12,12 +13,6 @@ namespace
 {
 
 using Part = Subdivision::Part;
-
-/**
- * Most parts take less. Where more is needed, parts pierce hundreds of tetrahedra each, and a part
- * that fails takes as long as many small ones.
- */
-constexpr std::size_t LeastEffort = 300000, EffortPerPart = 100;
 
 class Cutter
 {
@@ -131,42 +126,54 @@ void Cutter::GiveUp(const Part& part)
   }
 }
 
-} // namespace
-
-void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
-  const std::function<bool(double)>& progress)
+/**
+ * Takes the missing parts from the mesh, and returns them in the order of their turns. By area
+ * alone, a mesh of which all parts have their turn loses the least area; by area per tetrahedron, a
+ * mesh of which few do. The order is between both.
+ */
+std::vector<Part> TakeInOrder(PiercedMesh& mesh, std::vector<int> missing)
 {
-  const std::vector<int> missing = mesh.FindMissing();
+  const std::vector<Part>& all = mesh.GetParts().GetParts();
+  const std::vector<int> counts = mesh.CountCells();
+  std::vector<double> ranks(all.size(), 0.0);
+  for (const int part : missing)
+  {
+    const auto [a, b, c] = mesh.GetParts().GetCorners(part);
+    ranks[part] = Length(Cross(b - a, c - a)) / std::sqrt(std::max(counts[part], 1));
+  }
+  std::stable_sort(
+    missing.begin(), missing.end(), [&](int a, int b) { return ranks[a] > ranks[b]; });
   std::vector<Part> parts;
   for (const int part : missing)
   {
-    parts.push_back(mesh.GetParts().GetParts()[part]);
+    parts.push_back(all[part]);
   }
   mesh.TakeParts(missing);
+  return parts;
+}
+
+} // namespace
+
+std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
+  const std::function<bool(double)>& progress)
+{
+  std::vector<Part> parts = TakeInOrder(mesh, mesh.FindMissing());
   const std::vector<Point>& points = mesh.GetParts().GetPoints();
-  const auto areaOf = [&](const Part& part)
-  {
-    const auto& [a, b, c] = part.Corners;
-    return Length(Cross(points[b] - points[a], points[c] - points[a]));
-  };
-  std::stable_sort(parts.begin(), parts.end(),
-    [&](const Part& a, const Part& b) { return areaOf(a) > areaOf(b); });
   Cutter cutter(mesh, tolerance);
   for (const Part& part : parts)
   {
     cutter.Add(part);
   }
   const std::size_t mostPoints = points.size() + limits.Points;
-  const std::size_t mostEffort =
-    std::min(limits.Effort, LeastEffort + EffortPerPart * parts.size());
   constexpr int passes = 2; // a part may succeed once others have
   for (int pass = 0; pass < passes && !parts.empty(); ++pass)
   {
     const std::size_t before = parts.size();
     const auto isDone = [&](const Part& part)
     {
-      progress(static_cast<double>(cutter.GetEffort()) / static_cast<double>(mostEffort));
-      return cutter.GetEffort() < mostEffort && points.size() < mostPoints && cutter.TryPart(part);
+      progress(static_cast<double>(cutter.GetEffort()) / static_cast<double>(limits.Effort));
+      return cutter.GetEffort() < limits.Effort && points.size() < mostPoints &&
+        cutter.TryPart(part);
     };
     parts.erase(std::remove_if(parts.begin(), parts.end(), isDone), parts.end());
     if (parts.size() == before)
@@ -178,6 +185,7 @@ void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
   {
     cutter.GiveUp(part);
   }
+  return cutter.GetEffort();
 }
 
 } // namespace carving::helper

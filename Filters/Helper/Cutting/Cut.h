@@ -20,13 +20,14 @@ struct CutLimits
 };
 
 /**
- * Makes a union of faces of each part of M that is no face, the largest first: vertices are put
- * where edges of the part pierce faces and edges of tetrahedra pierce the part. Where parts cross
- * each other, they share vertices afterwards. Those parts that resist still pierce tetrahedra, or
- * lie on faces that extend beyond them. What is within `tolerance`, a length, of a part counts as
- * being on it.
+ * Makes a union of faces of each part of M that is no face: vertices are put where edges of the
+ * part pierce faces and edges of tetrahedra pierce the part. Parts that have much area for the
+ * tetrahedra that they meet come first, since the limits may not let all parts have their turn.
+ * Where parts cross each other, they share vertices afterwards. Those parts that resist still
+ * pierce tetrahedra, or lie on faces that extend beyond them. What is within `tolerance`, a length,
+ * of a part counts as being on it. Returns the number of changes tried.
  */
-void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
+std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
   const std::function<bool(double)>& progress);
 
 } // namespace carving::helper

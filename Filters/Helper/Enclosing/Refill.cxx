@@ -77,18 +77,29 @@ bool PiercedMesh::IsOnWholeFace(const Cell& cell, const PartContact& contact) co
       });
 }
 
+std::vector<int> PiercedMesh::CountCells() const
+{
+  std::vector<int> counts(this->Parts.GetParts().size(), 0);
+  for (const Cell cell : this->Mesh.finite_cell_handles())
+  {
+    for (const PartContact& contact : cell->info().All)
+    {
+      ++counts[contact.Part];
+    }
+  }
+  return counts;
+}
+
 std::vector<int> PiercedMesh::FindMissing() const
 {
   const auto& parts = this->Parts.GetParts();
   std::vector<char> isFace(parts.size(), 0);
-  std::vector<int> numberOfCells(parts.size(), 0);
   // Contacts tell faster than a search for each part.
   for (const Cell cell : this->Mesh.finite_cell_handles())
   {
     for (const PartContact& contact : cell->info().All)
     {
       isFace[contact.Part] |= this->IsOnWholeFace(cell, contact);
-      ++numberOfCells[contact.Part];
     }
   }
   std::vector<int> missing;
@@ -99,8 +110,9 @@ std::vector<int> PiercedMesh::FindMissing() const
       missing.push_back(part);
     }
   }
-  std::stable_sort(missing.begin(), missing.end(),
-    [&](int a, int b) { return numberOfCells[a] < numberOfCells[b]; });
+  const std::vector<int> counts = this->CountCells();
+  std::stable_sort(
+    missing.begin(), missing.end(), [&](int a, int b) { return counts[a] < counts[b]; });
   return missing;
 }
 

@@ -22,7 +22,7 @@ namespace
 
 using Cell = PiercedMesh::Cell;
 
-/** Changes that cutting may try: they take some twelve seconds. */
+/** Changes that cutting may try: they take ten to twenty seconds. */
 constexpr std::size_t MaximumCuts = 1200000;
 
 /** Adds the faces on which parts of M lie. */
@@ -124,10 +124,14 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
     constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
-    Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
-    // A few more points take most of the surface much closer than it has to be.
+    const std::size_t cuts = Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+    // A few more points take most of the surface much closer than it has to be: more where cutting
+    // has left time for them.
     constexpr double closer = 0.1;
-    HalveKept(mesh, distance, closer * bound, input.Points.size() / 10 + 10000, part(0.7, 0.8));
+    constexpr std::size_t cutsPerPoint = 8; // in the same time
+    const std::size_t few =
+      input.Points.size() / 10 + 10000 + (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
+    HalveKept(mesh, distance, closer * bound, std::min(few, most), part(0.7, 0.8));
     HalveKept(mesh, distance, bound, most, part(0.8, 0.9));
   }
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);

@@ -5,7 +5,8 @@
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace carving::helper
@@ -21,69 +22,71 @@ double AreaOf(const Corners& t)
   return Length(Cross(t[1] - t[0], t[2] - t[0])) / 2.0;
 }
 
-/** The distances of a face's samples from M, each with the area that the sample stands for. */
-class Samples
+/**
+ * The distances of points from M. Each point stands for the same share of the area of all faces
+ * (systematic sampling), so that millions of small faces take no longer than a few large ones.
+ */
+std::vector<double> SampleDistances(
+  const std::vector<Corners>& faces, const SurfaceDistance& distance, double spacing)
 {
-public:
-  Samples(const SurfaceDistance& distance, double spacing)
-    : Distance(distance)
-    , Spacing(spacing)
+  constexpr std::size_t count = 50000;
+  double area = 0.0;
+  for (const Corners& face : faces)
   {
+    area += AreaOf(face);
   }
-
-  void Add(const Corners& face)
+  const double step = area / count;
+  std::vector<double> samples;
+  double next = step / 2.0, passed = 0.0;
+  std::vector<Corners> pieces;
+  for (const Corners& face : faces)
   {
-    std::vector<Corners> pieces = { face };
+    pieces.push_back(face);
     while (!pieces.empty())
     {
       const Corners piece = pieces.back();
       pieces.pop_back();
       const int longest = LongestSide<3>(piece);
-      if (Length(piece[(longest + 1) % 3] - piece[longest]) > this->Spacing)
+      if (Length(piece[(longest + 1) % 3] - piece[longest]) > spacing)
       {
         const std::vector<Corners> halves = Halve<3>(piece);
         pieces.insert(pieces.end(), halves.begin(), halves.end());
         continue;
       }
-      const Point centroid = (piece[0] + piece[1] + piece[2]) / 3.0;
-      const double area = AreaOf(piece);
-      this->All.emplace_back(this->Distance.Farthest({ centroid, centroid, centroid }, 0.0), area);
-      this->Area += area;
-    }
-  }
-
-  double FindMean() const
-  {
-    double sum = 0.0;
-    for (const auto& [distance, area] : this->All)
-    {
-      sum += distance * area;
-    }
-    return this->Area > 0.0 ? sum / this->Area : 0.0;
-  }
-
-  /** The least distance that so large a share of the area does not exceed. */
-  double FindPercentile(double share)
-  {
-    std::sort(this->All.begin(), this->All.end());
-    double sum = 0.0;
-    for (const auto& [distance, area] : this->All)
-    {
-      sum += area;
-      if (sum >= share * this->Area)
+      passed += AreaOf(piece);
+      if (step > 0.0 && next <= passed)
       {
-        return distance;
+        const Point centroid = (piece[0] + piece[1] + piece[2]) / 3.0;
+        const double sample = distance.Farthest({ centroid, centroid, centroid }, 0.0);
+        for (; next <= passed && samples.size() < count; next += step)
+        {
+          samples.push_back(sample);
+        }
       }
     }
+  }
+  return samples;
+}
+
+/** The least of some values that so large a share of them does not exceed; 0 without values. */
+double FindPercentile(std::vector<double> values, double share)
+{
+  if (values.empty())
+  {
     return 0.0;
   }
+  const auto rank =
+    static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())) - 1.0);
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  return values[rank];
+}
 
-private:
-  const SurfaceDistance& Distance;
-  double Spacing;
-  double Area = 0.0;
-  std::vector<std::pair<double, double>> All;
-};
+double FindMean(const std::vector<double>& values)
+{
+  return values.empty()
+    ? 0.0
+    : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 } // namespace
 
@@ -137,8 +140,8 @@ KeptDistances MeasureKept(
   const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible, double length)
 {
   constexpr double spacing = 0.01;
-  Samples samples(distance, spacing * length);
-  double maximum = 0.0;
+  std::vector<Corners> faces, bare; // all that are exposed, and those on which no part of M lies
+  std::vector<double> lengths;      // of the longest edges of the tetrahedra, per face
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     for (int f = 0; f < 4 && cell->info().IsPierced(); ++f)
@@ -147,18 +150,24 @@ KeptDistances MeasureKept(
       {
         continue;
       }
-      const Corners face = FacePoints(cell, f);
-      if (LongestEdge(cell) > maximum)
-      {
-        maximum = distance.Farthest(face, std::max(maximum, negligible));
-      }
+      faces.push_back(FacePoints(cell, f));
+      lengths.push_back(LongestEdge(cell));
       if (cell->info().PartOn(f) < 0)
       {
-        samples.Add(face);
+        bare.push_back(faces.back());
       }
     }
   }
-  return { maximum, samples.FindPercentile(0.99), samples.FindMean() };
+  const std::vector<double> samples = SampleDistances(bare, distance, spacing * length);
+  double maximum = samples.empty() ? 0.0 : *std::max_element(samples.begin(), samples.end());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (lengths[i] > maximum)
+    {
+      maximum = distance.Farthest(faces[i], std::max(maximum, negligible));
+    }
+  }
+  return { maximum, FindPercentile(samples, 0.99), FindMean(samples) };
 }
 
 } // namespace carving::helper

@@ -3,6 +3,7 @@
 
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
+#include "vtkCellArray.h"
 #include "vtkCellLocator.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
@@ -12,12 +13,87 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocalObject.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 
 #include <cmath>
 #include <vector>
 
 namespace
 {
+
+/** A point of a surface. */
+struct Closest
+{
+  vtkIdType Cell = -1;
+  carving::Point At;
+};
+
+/** Finds the points of a surface that are closest to some points. */
+class ClosestFinder
+{
+public:
+  ClosestFinder(vtkPolyData* surface, const std::vector<vtkIdType>& ids,
+    const std::vector<carving::Point>& points, std::vector<Closest>& found)
+    : Surface(surface)
+    , Ids(ids)
+    , Points(points)
+    , Found(found)
+  {
+  }
+
+  void Initialize()
+  {
+    // Deterministic for equally close cells; the order of vtkStaticCellLocator depends on its
+    // threads. Queries use the locator's memory, so that each thread needs its own.
+    vtkCellLocator* locator = this->Locators.Local();
+    locator->SetDataSet(this->Surface);
+    locator->SetNumberOfCellsPerBucket(4);
+    locator->BuildLocator();
+  }
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    vtkNew<vtkGenericCell> cell;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      double distance;
+      int subId = 0;
+      this->Locators.Local()->FindClosestPoint(this->Points[this->Ids[i]].data(),
+        this->Found[i].At.data(), cell, this->Found[i].Cell, subId, distance);
+    }
+  }
+  void Reduce()
+  {
+  }
+
+private:
+  vtkPolyData* Surface;
+  const std::vector<vtkIdType>& Ids;
+  const std::vector<carving::Point>& Points;
+  std::vector<Closest>& Found;
+  vtkSMPThreadLocalObject<vtkCellLocator> Locators;
+};
+
+/** Several threads may read cells at once only if they are stored as vtkIdType. */
+vtkSmartPointer<vtkCellArray> CopyForThreads(vtkCellArray* cells)
+{
+  auto copy = vtkSmartPointer<vtkCellArray>::New();
+  copy->DeepCopy(cells);
+  copy->ConvertToDefaultStorage();
+  return copy;
+}
+
+std::vector<Closest> FindClosest(vtkPolyData* surface, const std::vector<vtkIdType>& ids,
+  const std::vector<carving::Point>& points)
+{
+  std::vector<Closest> found(ids.size());
+  surface->BuildCells(); // before several threads would
+  surface->ComputeBounds();
+  ClosestFinder finder(surface, ids, points, found);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), finder);
+  return found;
+}
 
 /** Gives new points the data of the closest point of the input. */
 template <int D>
@@ -26,38 +102,35 @@ void InterpolateNewPoints(
 {
   vtkNew<vtkPolyData> surface; // without cells that bound nothing: vertices and, in space, lines
   surface->SetPoints(input->GetPoints());
-  surface->SetPolys(input->GetPolys());
-  surface->SetStrips(input->GetStrips());
+  surface->SetPolys(CopyForThreads(input->GetPolys()));
+  surface->SetStrips(CopyForThreads(input->GetStrips()));
   if (D == 2)
   {
-    surface->SetLines(input->GetLines());
+    surface->SetLines(CopyForThreads(input->GetLines()));
   }
-  // Deterministic for equally close cells; the order of vtkStaticCellLocator depends on its
-  // threads.
-  vtkNew<vtkCellLocator> locator;
-  locator->SetDataSet(surface);
-  locator->SetNumberOfCellsPerBucket(4);
-  locator->BuildLocator();
-  vtkNew<vtkGenericCell> cell;
-  std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));
+  std::vector<vtkIdType> made;
   for (std::size_t i = 0; i < points.Points.size(); ++i)
   {
-    if (points.PointSources[i] >= 0)
+    if (points.PointSources[i] < 0)
     {
-      continue;
+      made.push_back(static_cast<vtkIdType>(i));
     }
-    double closest[3], onCell[3], parametric[3], distance;
-    vtkIdType cellId = -1;
-    int subId = 0;
-    locator->FindClosestPoint(points.Points[i].data(), closest, cell, cellId, subId, distance);
-    if (cellId < 0)
+  }
+  const std::vector<Closest> closest = FindClosest(surface, made, points.Points);
+  vtkNew<vtkGenericCell> cell;
+  std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));
+  for (std::size_t i = 0; i < made.size(); ++i)
+  {
+    if (closest[i].Cell < 0)
     {
       continue; // all cells are degenerate
     }
-    surface->GetCell(cellId, cell);
-    cell->EvaluatePosition(closest, onCell, subId, parametric, distance, weights.data());
-    output->InterpolatePoint(
-      input->GetPointData(), static_cast<vtkIdType>(i), cell->GetPointIds(), weights.data());
+    double onCell[3], parametric[3], distance;
+    int subId = 0;
+    surface->GetCell(closest[i].Cell, cell);
+    cell->EvaluatePosition(
+      closest[i].At.data(), onCell, subId, parametric, distance, weights.data());
+    output->InterpolatePoint(input->GetPointData(), made[i], cell->GetPointIds(), weights.data());
   }
 }
 

@@ -14,6 +14,12 @@ namespace
 
 using Part = Subdivision::Part;
 
+/**
+ * Most parts take less. Where more is needed, parts pierce hundreds of tetrahedra each, and a part
+ * that fails takes as long as many small ones.
+ */
+constexpr std::size_t LeastEffort = 300000, EffortPerPart = 200;
+
 class Cutter
 {
 public:
@@ -165,15 +171,16 @@ std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
     cutter.Add(part);
   }
   const std::size_t mostPoints = points.size() + limits.Points;
+  const std::size_t mostEffort =
+    std::min(limits.Effort, LeastEffort + EffortPerPart * parts.size());
   constexpr int passes = 2; // a part may succeed once others have
   for (int pass = 0; pass < passes && !parts.empty(); ++pass)
   {
     const std::size_t before = parts.size();
     const auto isDone = [&](const Part& part)
     {
-      progress(static_cast<double>(cutter.GetEffort()) / static_cast<double>(limits.Effort));
-      return cutter.GetEffort() < limits.Effort && points.size() < mostPoints &&
-        cutter.TryPart(part);
+      progress(static_cast<double>(cutter.GetEffort()) / static_cast<double>(mostEffort));
+      return cutter.GetEffort() < mostEffort && points.size() < mostPoints && cutter.TryPart(part);
     };
     parts.erase(std::remove_if(parts.begin(), parts.end(), isDone), parts.end());
     if (parts.size() == before)

@@ -129,8 +129,9 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     // has left time for them.
     constexpr double closer = 0.1;
     constexpr std::size_t cutsPerPoint = 8; // in the same time
-    const std::size_t few =
-      input.Points.size() / 10 + 10000 + (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
+    const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
+    const std::size_t count = input.Points.size();
+    const std::size_t few = count / 10 + 10000 + std::min(spare, 40 * count);
     HalveKept(mesh, distance, closer * bound, std::min(few, most), part(0.7, 0.8));
     HalveKept(mesh, distance, bound, most, part(0.8, 0.9));
   }

@@ -53,14 +53,6 @@ int Patch::SideOf(int vertex)
   return found->second;
 }
 
-/** Whether an edge of a cell crosses the inside of the triangle. */
-bool Patch::IsCrossing(const Cell& cell, int i, int j)
-{
-  return this->SideOf(cell->vertex(i)->info().Index) * this->SideOf(cell->vertex(j)->info().Index) <
-    0 &&
-    CrossesInside(cell->vertex(i)->point(), cell->vertex(j)->point(), this->CornerPoints);
-}
-
 /**
  * All edges that cross the triangle. Every tetrahedron that the triangle pierces has such an edge,
  * since edges of the tetrahedralization make up its border.
@@ -88,7 +80,7 @@ std::vector<Patch::Edge> Patch::FindCrossing()
       {
         const int a = cell->vertex(i)->info().Index, b = cell->vertex(j)->info().Index;
         if (this->SideOf(a) * this->SideOf(b) < 0 && known.insert(EdgeKey(a, b)).second &&
-          this->IsCrossing(cell, i, j))
+          CrossesInside(cell->vertex(i)->point(), cell->vertex(j)->point(), this->CornerPoints))
         {
           isCut = true;
           edges.push_back({ std::min(a, b), std::max(a, b) });

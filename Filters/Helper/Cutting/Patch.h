@@ -38,7 +38,6 @@ private:
   bool IsSimple() const;
   int SideOf(int vertex);
   std::vector<Edge> FindCrossing();
-  bool IsCrossing(const Cell& cell, int i, int j);
   bool IsAbove(const Cell& cell);
   bool IsFace(const Cell& cell, int f);
   int FindLeft(int a, int b);

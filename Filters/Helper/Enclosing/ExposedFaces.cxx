@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/ExposedFaces.h"
 
+#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/Vector.h"
 
@@ -17,11 +18,6 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Corners = SurfaceDistance::Corners;
 
-double AreaOf(const Corners& t)
-{
-  return Length(Cross(t[1] - t[0], t[2] - t[0])) / 2.0;
-}
-
 /**
  * The distances of points from M. Each point stands for the same share of the area of all faces
  * (systematic sampling), so that millions of small faces take no longer than a few large ones.
@@ -33,7 +29,7 @@ std::vector<double> SampleDistances(
   double area = 0.0;
   for (const Corners& face : faces)
   {
-    area += AreaOf(face);
+    area += Size(face);
   }
   const double step = area / count;
   std::vector<double> samples;
@@ -53,7 +49,7 @@ std::vector<double> SampleDistances(
         pieces.insert(pieces.end(), halves.begin(), halves.end());
         continue;
       }
-      passed += AreaOf(piece);
+      passed += Size(piece);
       if (step > 0.0 && next <= passed)
       {
         const Point centroid = (piece[0] + piece[1] + piece[2]) / 3.0;

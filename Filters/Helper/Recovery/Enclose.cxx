@@ -125,14 +125,14 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     const std::size_t most = MaximumPointsAdded(input.Points.size());
     constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
     const std::size_t cuts = Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
-    // A few more points take most of the surface much closer than it has to be: more where cutting
-    // has left time for them.
+    // Further points take most of the surface much closer than it has to be. Their number grows with
+    // the time that cutting has left, and is bounded by the size of the mesh.
     constexpr double closer = 0.1;
     constexpr std::size_t cutsPerPoint = 8; // in the same time
     const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
     const std::size_t count = input.Points.size();
-    const std::size_t few = count / 10 + 10000 + std::min(spare, 40 * count);
-    HalveKept(mesh, distance, closer * bound, std::min(few, most), part(0.7, 0.8));
+    const std::size_t mostCloser = count / 10 + 10000 + std::min(spare, 40 * count);
+    HalveKept(mesh, distance, closer * bound, std::min(mostCloser, most), part(0.7, 0.8));
     HalveKept(mesh, distance, bound, most, part(0.8, 0.9));
   }
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);

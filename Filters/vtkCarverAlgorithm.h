@@ -285,7 +285,7 @@ public:
    *   not cross itself is mostly met as a whole, and no vertex is added on its triangles; where
    *   crossings had to be resolved, recovery mostly fails.
    * - AUTO (default): both on a mesh that does not cross itself, TetGen alone on others. Recovery
-   *   comes first where it takes half of TetGen's time: on meshes of well-shaped triangles, such as
+   *   comes first where it takes less time than TetGen: on meshes of well-shaped triangles, such as
    *   scans, most of whose triangles a Delaunay tetrahedralization has anyway. Elsewhere it follows
    *   where TetGen's first attempt fails.
    */

@@ -104,6 +104,11 @@ public:
    */
   int RemoveVertex(int vertex, const std::function<bool(int)>& mayMove);
 
+  /** Replaces a vertex, all cells around it and the parts that have it. */
+  void ReplaceStar(int vertex, const std::vector<Cell>& star,
+    const std::vector<std::array<Vertex, 4>>& cells, const std::vector<int>& gone,
+    const std::vector<Subdivision::Part>& made);
+
   /** Starts a walk over tetrahedra, in which each is pushed once. */
   void BeginWalk()
   {

@@ -201,6 +201,10 @@ void PiercedMesh::Refill(
       if (neighbor->info().LastWalk != this->NumberOfWalks)
       {
         joiner.Add(neighbor, neighbor->index(cell));
+        for (const int i : FaceCorners[f])
+        {
+          cell->vertex(i)->set_cell(neighbor); // which may be all that is left around it
+        }
       }
     }
   }

@@ -176,7 +176,6 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
   for (const int part : parts)
   {
     Subdivision::Part to = this->Parts.GetParts()[part];
-    this->Parts.Take(part);
     if (std::find(to.Corners.begin(), to.Corners.end(), target) == to.Corners.end())
     {
       std::replace(to.Corners.begin(), to.Corners.end(), vertex, target);
@@ -193,15 +192,26 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
       std::replace(corners.begin(), corners.end(), v, this->Vertices[target]);
     }
   }
+  this->ReplaceStar(vertex, star, cells, parts, moved);
+  return target;
+}
+
+void PiercedMesh::ReplaceStar(int vertex, const std::vector<Cell>& star,
+  const std::vector<std::array<Vertex, 4>>& cells, const std::vector<int>& gone,
+  const std::vector<Subdivision::Part>& made)
+{
+  for (const int part : gone)
+  {
+    this->Parts.Take(part);
+  }
   this->Refill(star, cells);
-  this->Mesh.tds().delete_vertex(v);
+  this->Mesh.tds().delete_vertex(this->Vertices[vertex]);
   this->Vertices[vertex] = Vertex();
   this->Free.push_back(vertex);
-  for (const Subdivision::Part& part : moved)
+  for (const Subdivision::Part& part : made)
   {
     this->GivePart(part.Corners, part.Parent);
   }
-  return target;
 }
 
 void PiercedMesh::TakeParts(const std::vector<int>& parts)

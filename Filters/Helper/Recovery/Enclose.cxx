@@ -7,6 +7,7 @@
 #include "Helper/Cutting/Cut.h"
 #include "Helper/Cutting/HalveKept.h"
 #include "Helper/Enclosing/ExposedFaces.h"
+#include "Helper/Recovery/Detach.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 #include "Helper/Resolve/Intersections.h"
@@ -115,16 +116,19 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   PiercedMesh mesh(input, further, part(0.0, 0.1));
   // Where triangles cross each other, recovery meets few of them.
   const bool crosses = mayAddPoints && CrossesItselfOften(input);
+  // Cutting takes less time than more steps, unless triangles are to be cut that cross many others.
+  const std::ptrdiff_t stepsPerFacet = crosses ? 100 : 30;
   const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-  constexpr std::ptrdiff_t many = 60000000; // they take some seconds
-  const std::ptrdiff_t steps =
-    crosses ? 100 * facets : std::max(100 * facets, std::min(300 * facets, many));
-  Recover(mesh, { 100000 + steps, mayAddPoints }, part(0.1, 0.2));
+  Recover(mesh, 100000 + stepsPerFacet * facets, part(0.1, 0.2));
   if (mayAddPoints)
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
     constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
     const std::size_t cuts = Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+    if (!crosses)
+    {
+      DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
+    }
     // Further points take most of the surface much closer than it has to be. Their number grows with
     // the time that cutting has left, and is bounded by the size of the mesh.
     constexpr double closer = 0.1;

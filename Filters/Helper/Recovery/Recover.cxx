@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Recovery/Recover.h"
 
-#include "Helper/Recovery/CavityPoints.h"
+#include "Helper/Recovery/Filling.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <random>
 #include <set>
 
 namespace carving::helper
@@ -18,36 +17,24 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Vertex = PiercedMesh::Vertex;
 
-constexpr int WholePart = -1;                ///< instead of an edge
-constexpr std::size_t MaximumVertices = 48;  ///< of a cavity
-constexpr std::size_t MaximumForPoints = 32; ///< of a cavity into which points are put
+constexpr int WholePart = -1;               ///< instead of an edge
+constexpr std::size_t MaximumVertices = 48; ///< of a cavity
 
 /** How hard a part is tried: ever harder from pass to pass. */
 struct Pass
 {
   bool EdgesFirst;
   int Rings;            ///< of cells around those that the part meets
-  int Points;           ///< at most so many are added at a time
   std::ptrdiff_t Steps; ///< in each cavity
 };
 
-constexpr Pass PassesWithoutPoints[] = { { false, 0, 0, 4000 }, { true, 1, 0, 20000 },
-  { true, 2, 0, 100000 } };
-constexpr int NumberWithoutPoints = static_cast<int>(std::size(PassesWithoutPoints));
-constexpr int NumberOfPasses = 30;
-
-Pass MakePass(int index)
-{
-  // Draws of points differ from pass to pass; their number matters less.
-  return index < NumberWithoutPoints ? PassesWithoutPoints[index]
-                                     : Pass{ true, 2, 2 + index % 4, 100000 };
-}
+constexpr Pass Passes[] = { { false, 0, 4000 }, { true, 1, 20000 }, { true, 2, 100000 } };
 
 /** The cells to be replaced, and their vertices as points of a cavity. */
 struct Region
 {
   const std::vector<Cell>& Cells;
-  std::vector<Vertex> Vertices; ///< per point of the cavity; none for a point that has been added
+  std::vector<Vertex> Vertices; ///< per point of the cavity
   std::map<Vertex, int> Indices;
   Cavity Space;
 };
@@ -55,9 +42,9 @@ struct Region
 class Recoverer
 {
 public:
-  Recoverer(PiercedMesh& mesh, const RecoveryLimits& limits)
+  Recoverer(PiercedMesh& mesh, std::ptrdiff_t steps)
     : Mesh(mesh)
-    , StepsLeft(limits.Steps)
+    , StepsLeft(steps)
   {
   }
 
@@ -83,12 +70,10 @@ private:
   Inexact::Point_3 PlaceInfinity(int part, const Cell& cell, int i) const;
   void AddFront(Region& region) const;
   void Demand(int part, int edge, Region& region) const;
-  void AddPoints(int part, int maximumPoints, Region& region);
-  void Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region);
+  void Commit(const std::vector<Filling::Tetrahedron>& cells, const Region& region);
 
   PiercedMesh& Mesh;
   std::ptrdiff_t StepsLeft;
-  std::mt19937 Random;
 };
 
 /** Whether a face of a cell is a part of M. */
@@ -223,36 +208,17 @@ void Recoverer::Demand(int part, int edge, Region& region) const
   }
 }
 
-void Recoverer::AddPoints(int part, int maximumPoints, Region& region)
-{
-  std::vector<Corners4> cells;
-  for (const Cell& cell : region.Cells)
-  {
-    if (!this->IsInfinite(cell))
-    {
-      cells.push_back(CornersOf(cell));
-    }
-  }
-  AddCavityPoints(cells, this->Mesh.CornersOf(part), maximumPoints, this->Random, region.Space);
-  region.Vertices.resize(region.Space.Points.size());
-}
-
 /** Fills the space of cells anew, with a part or an edge of it. Returns whether it did. */
 bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, const Pass& pass)
 {
   Region region{ cells, {}, {}, {} };
   this->AddVertices(part, region);
-  if (region.Vertices.size() > (pass.Points > 0 ? MaximumForPoints : MaximumVertices))
+  if (region.Vertices.size() > MaximumVertices)
   {
     return false;
   }
   this->AddFront(region);
   this->Demand(part, edge, region);
-  if (pass.Points > 0)
-  {
-    this->AddPoints(part, pass.Points, region);
-    this->StepsLeft -= pass.Steps / 4; // for choosing points
-  }
   std::ptrdiff_t steps = pass.Steps;
   Filling filling(region.Space);
   const bool filled = filling.Run(steps);
@@ -265,7 +231,7 @@ bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, con
 }
 
 /** Replaces the cells of a region. */
-void Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& region)
+void Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, const Region& region)
 {
   std::vector<std::array<Vertex, 4>> made;
   for (const Filling::Tetrahedron& cell : cells)
@@ -273,9 +239,7 @@ void Recoverer::Commit(const std::vector<Filling::Tetrahedron>& cells, Region& r
     auto& corners = made.emplace_back();
     for (int i = 0; i < 4; ++i)
     {
-      Vertex& v = region.Vertices[cell[i]];
-      v = v == Vertex() ? this->Mesh.AddVertex(ToPoint(region.Space.Points[cell[i]])) : v;
-      corners[i] = v;
+      corners[i] = region.Vertices[cell[i]];
     }
   }
   this->Mesh.Refill(region.Cells, made);
@@ -320,26 +284,18 @@ bool Recoverer::TryPart(int part, const Pass& pass)
 
 } // namespace
 
-std::size_t Recover(
-  PiercedMesh& mesh, const RecoveryLimits& limits, const std::function<bool(double)>& progress)
+void Recover(PiercedMesh& mesh, std::ptrdiff_t steps, const std::function<bool(double)>& progress)
 {
   std::vector<int> missing = mesh.FindMissing();
-  const auto& parts = mesh.GetParts().GetParts();
-  if (static_cast<double>(missing.size()) > limits.MissingShare * static_cast<double>(parts.size()))
+  Recoverer recoverer(mesh, steps);
+  double done = 0.0;
+  for (const Pass& pass : Passes)
   {
-    return missing.size();
-  }
-  Recoverer recoverer(mesh, limits);
-  const int passes = limits.MayAddPoints ? NumberOfPasses : NumberWithoutPoints;
-  for (int index = 0; index < passes && !missing.empty() && recoverer.HasStepsLeft(); ++index)
-  {
-    const Pass pass = MakePass(index);
     const auto isRecovered = [&](int part)
     { return recoverer.HasStepsLeft() && recoverer.TryPart(part, pass); };
     missing.erase(std::remove_if(missing.begin(), missing.end(), isRecovered), missing.end());
-    progress(static_cast<double>(index + 1) / passes);
+    progress(done += 1.0 / static_cast<double>(std::size(Passes)));
   }
-  return missing.size();
 }
 
 } // namespace carving::helper

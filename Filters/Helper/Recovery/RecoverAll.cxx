@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Recovery/RecoverAll.h"
 
+#include "Core/Mesh/Box.h"
+#include "Helper/Cutting/Cut.h"
+#include "Helper/Recovery/Detach.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 
+#include <algorithm>
 #include <string>
 
 namespace carving::helper
@@ -11,12 +15,22 @@ namespace carving::helper
 namespace
 {
 
-RecoveryLimits MakeLimits(RecoveryEffort effort, std::size_t numberOfFacets)
+/** The number of triangles of M that are no faces. */
+std::size_t CountMissing(const PiercedMesh& mesh, const std::vector<Triangle>& facets)
 {
-  const auto facets = static_cast<std::ptrdiff_t>(numberOfFacets);
-  return effort == RecoveryEffort::Little
-    ? RecoveryLimits{ 1000000 + 100 * facets, true, 0.1 }
-    : RecoveryLimits{ 5000000 + 1000 * facets, true }; // they take seconds
+  std::vector<char> isFace(facets.size(), 0);
+  const auto& parts = mesh.GetParts().GetParts();
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    const auto& [corners, parent] = parts[part];
+    if (parent >= 0)
+    {
+      const Triangle& facet = facets[parent];
+      isFace[parent] =
+        std::is_permutation(corners.begin(), corners.end(), facet.begin()) && mesh.IsFace(part);
+    }
+  }
+  return static_cast<std::size_t>(std::count(isFace.begin(), isFace.end(), 0));
 }
 
 } // namespace
@@ -24,10 +38,31 @@ RecoveryLimits MakeLimits(RecoveryEffort effort, std::size_t numberOfFacets)
 Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
   const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
-  const std::size_t facets = result.Surface.Facets.size();
-  PiercedMesh mesh(result.Surface, further, [&](double done) { return progress(done / 2.0); });
-  const std::size_t missing = Recover(
-    mesh, MakeLimits(effort, facets), [&](double done) { return progress((1.0 + done) / 2.0); });
+  const ResolvedMesh& surface = result.Surface;
+  const std::size_t facets = surface.Facets.size();
+  const auto part = [&](double begin, double end) {
+    return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
+  };
+  PiercedMesh mesh(surface, further, part(0.0, 0.4));
+  std::size_t missing = mesh.FindMissing().size();
+  constexpr double fewMissing = 0.15; // per triangle: TetGen takes longer
+  const bool givesUp = effort == RecoveryEffort::Little &&
+    static_cast<double>(missing) > fewMissing * static_cast<double>(facets);
+  if (missing > 0 && !givesUp)
+  {
+    constexpr std::ptrdiff_t stepsPerFacet = 30; // cutting takes less time than more steps
+    Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), part(0.4, 0.6));
+    constexpr double rounding = 1e-12; // of the length
+    const std::size_t most = 100000 + 10 * facets;
+    Cut(mesh, rounding * Diagonal(surface.Points), { most, most }, part(0.6, 0.9));
+    if (mesh.FindMissing().empty())
+    {
+      constexpr int searches = 500;
+      RemoveFolds(mesh);
+      DetachAll(mesh, static_cast<int>(surface.Points.size() + further.size()), searches);
+    }
+    missing = CountMissing(mesh, surface.Facets);
+  }
   if (missing > 0)
   {
     return { "recovery lacks " + std::to_string(missing) + " of " + std::to_string(facets) +
@@ -38,7 +73,9 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
   {
     for (int f = 0; f < 4; ++f)
     {
-      result.Constraints[cell->info().Index][f] = cell->info().PartOn(f);
+      const int part = cell->info().PartOn(f);
+      result.Constraints[cell->info().Index][f] =
+        part < 0 ? part : mesh.GetParts().GetParts()[part].Parent;
     }
   }
   return {};

@@ -112,6 +112,14 @@ TEST(Recovery, TakesLittleEffortNearDelaunay)
   EXPECT_FALSE(IsNearDelaunay(Resolved(models::Sheared(model))));
 }
 
+// With much effort, recovery meets closed meshes of which the Delaunay tetrahedralization lacks many
+// triangles.
+TEST(Recovery, TakesMuchEffortFarFromDelaunay)
+{
+  ExpectExact(Recovered(models::Sheared(models::Sphere(4))));
+  ExpectExact(Recovered(models::CloseSpheres()));
+}
+
 // With little effort, recovery gives up on sheets closer to each other than their points, and says
 // how many triangles it lacks.
 TEST(Recovery, GivesUpEarlyWithLittleEffort)

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Recovery/Detach.h"
+
+#include "Helper/Recovery/SpaceFilling.h"
+#include "Helper/Recovery/VertexWalls.h"
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <set>
+
+namespace carving::helper
+{
+namespace
+{
+
+using Cell = PiercedMesh::Cell;
+using Vertex = PiercedMesh::Vertex;
+
+/**
+ * Whether a border has no edge of its own. It has some if rounding has put the vertex at a corner of
+ * three triangles of M, of which none continues another.
+ */
+bool IsClosed(const Border& border)
+{
+  std::vector<std::pair<int, int>> edges, reversed;
+  for (const VertexTriangle& t : border)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = t[i]->info().Index, b = t[(i + 1) % 3]->info().Index;
+      edges.emplace_back(a, b);
+      reversed.emplace_back(b, a);
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::sort(reversed.begin(), reversed.end());
+  return edges == reversed;
+}
+
+/** Whether both sides of a triangle are walls of the same space. */
+bool HasBothSides(const Border& walls)
+{
+  std::vector<std::array<int, 3>> keys;
+  for (const VertexTriangle& t : walls)
+  {
+    auto& key = keys.emplace_back(
+      std::array<int, 3>{ t[0]->info().Index, t[1]->info().Index, t[2]->info().Index });
+    std::sort(key.begin(), key.end());
+  }
+  std::sort(keys.begin(), keys.end());
+  return std::adjacent_find(keys.begin(), keys.end()) != keys.end();
+}
+
+class Detacher
+{
+public:
+  Detacher(PiercedMesh& mesh, int searches)
+    : Mesh(mesh)
+    , SearchesLeft(searches)
+  {
+  }
+
+  /** Returns whether the vertex has been detached. */
+  bool TryVertex(int vertex, bool mayTakeLong);
+
+private:
+  bool IsInfinite(const Cell& cell) const
+  {
+    return this->Mesh.GetDelaunay().is_infinite(cell);
+  }
+  Border MakeBorder(const VertexWalls::Space& space, const Vertex& v) const;
+  void Grow(VertexWalls::Space& space);
+  std::optional<SpaceFilling> Fill(VertexWalls::Space& space, const Vertex& v, bool mayTakeLong);
+
+  PiercedMesh& Mesh;
+  std::set<Cell> Removed;
+  std::mt19937 Random;
+  int SearchesLeft;
+};
+
+/** The walls of a space, and the faces at which it ends, except for those at `v`. */
+Border Detacher::MakeBorder(const VertexWalls::Space& space, const Vertex& v) const
+{
+  const std::set<Cell> within(space.Cells.begin(), space.Cells.end());
+  Border border = space.Walls;
+  for (const Cell& cell : space.Cells)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const auto& [a, b, c] = FaceCorners[f];
+      const VertexTriangle inward = { cell->vertex(a), cell->vertex(c), cell->vertex(b) };
+      const bool isEnd = within.count(cell->neighbor(f)) == 0 || cell->info().PartOn(f) >= 0;
+      if (isEnd && !Has(inward, v))
+      {
+        border.push_back(inward);
+      }
+    }
+  }
+  return border;
+}
+
+/** Adds a ring of cells to a space, but none behind a part of M. */
+void Detacher::Grow(VertexWalls::Space& space)
+{
+  const std::size_t count = space.Cells.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const Cell cell = space.Cells[i], neighbor = cell->neighbor(f);
+      if (!this->IsInfinite(neighbor) && cell->info().PartOn(f) < 0 &&
+        this->Removed.insert(neighbor).second)
+      {
+        space.Cells.push_back(neighbor);
+      }
+    }
+  }
+}
+
+/** Fills a space, which `v` saw as a whole when it was on the border. */
+std::optional<SpaceFilling> Detacher::Fill(
+  VertexWalls::Space& space, const Vertex& v, bool mayTakeLong)
+{
+  Border border = this->MakeBorder(space, v);
+  if (!IsClosed(border))
+  {
+    return {};
+  }
+  if (this->IsInfinite(space.Cells.front()))
+  {
+    return MakeStar(border, this->Mesh.GetDelaunay().infinite_vertex(), {});
+  }
+  std::optional<SpaceFilling> filling;
+  if (!HasBothSides(space.Walls)) // or no star could have the wall between its tetrahedra
+  {
+    filling = FillFromVertex(border);
+    filling = filling ? filling : FillFromPoint(border, v->point());
+  }
+  constexpr int rings = 2, draws = 6;
+  for (int ring = 0; ring <= rings && mayTakeLong && !filling; ++ring)
+  {
+    for (int points = 0; points < draws && !filling && this->SearchesLeft > 0; ++points)
+    {
+      --this->SearchesLeft;
+      filling = SearchFilling(space.Cells, border, v, points, this->Random);
+    }
+    if (!filling)
+    {
+      this->Grow(space);
+      border = this->MakeBorder(space, v);
+    }
+  }
+  return filling;
+}
+
+bool Detacher::TryVertex(int vertex, bool mayTakeLong)
+{
+  const Vertex v = this->Mesh.GetVertex(vertex);
+  VertexWalls walls(this->Mesh, v);
+  if (!walls.Retriangulate())
+  {
+    return false;
+  }
+  std::vector<VertexWalls::Space> spaces = walls.GetSpaces();
+  this->Removed = { walls.GetStar().begin(), walls.GetStar().end() };
+  std::vector<SpaceFilling> fillings;
+  for (VertexWalls::Space& space : spaces)
+  {
+    std::optional<SpaceFilling> filling = this->Fill(space, v, mayTakeLong);
+    if (!filling)
+    {
+      return false;
+    }
+    fillings.push_back(std::move(*filling));
+  }
+  std::vector<Cell> old;
+  std::vector<std::array<Vertex, 4>> cells;
+  for (std::size_t s = 0; s < spaces.size(); ++s)
+  {
+    old.insert(old.end(), spaces[s].Cells.begin(), spaces[s].Cells.end());
+    for (const std::array<int, 4>& cell : fillings[s].Cells)
+    {
+      auto& corners = cells.emplace_back();
+      for (int i = 0; i < 4; ++i)
+      {
+        Vertex& corner = fillings[s].Vertices[cell[i]];
+        corner =
+          corner == Vertex() ? this->Mesh.AddVertex(ToPoint(fillings[s].Points[cell[i]])) : corner;
+        corners[i] = corner;
+      }
+    }
+  }
+  this->Mesh.ReplaceStar(vertex, old, cells, walls.GetParts(), walls.MakeParts());
+  return true;
+}
+
+/** The vertices that were put on M. */
+std::vector<int> FindAdded(const PiercedMesh& mesh, int firstAdded)
+{
+  std::vector<int> added;
+  for (const auto& [corners, parent] : mesh.GetParts().GetParts())
+  {
+    for (const int corner : corners)
+    {
+      if (parent >= 0 && corner >= firstAdded)
+      {
+        added.push_back(corner);
+      }
+    }
+  }
+  std::sort(added.begin(), added.end());
+  added.erase(std::unique(added.begin(), added.end()), added.end());
+  return added;
+}
+
+} // namespace
+
+void RemoveFolds(PiercedMesh& mesh)
+{
+  const auto& parts = mesh.GetParts().GetParts();
+  std::vector<std::pair<Triangle, int>> byCorners;
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    if (parts[part].Parent >= 0)
+    {
+      Triangle corners = parts[part].Corners;
+      std::sort(corners.begin(), corners.end());
+      byCorners.emplace_back(corners, part);
+    }
+  }
+  std::sort(byCorners.begin(), byCorners.end());
+  std::vector<int> folds;
+  for (std::size_t i = 0; i + 1 < byCorners.size(); ++i)
+  {
+    if (byCorners[i].first == byCorners[i + 1].first)
+    {
+      folds.insert(folds.end(), { byCorners[i].second, byCorners[i + 1].second });
+      ++i;
+    }
+  }
+  if (!folds.empty())
+  {
+    mesh.TakeParts(folds);
+  }
+}
+
+void DetachAll(PiercedMesh& mesh, int firstAdded, int maximumSearches)
+{
+  Detacher detacher(mesh, maximumSearches);
+  std::vector<int> added = FindAdded(mesh, firstAdded);
+  for (const bool mayTakeLong : { false, true })
+  {
+    // Vertices that have gone make room for others.
+    bool isWorthwhile = !mayTakeLong || static_cast<int>(added.size()) <= maximumSearches;
+    while (isWorthwhile && !added.empty())
+    {
+      const std::size_t before = added.size();
+      added.erase(std::remove_if(added.begin(), added.end(),
+                    [&](int vertex) { return detacher.TryVertex(vertex, mayTakeLong); }),
+        added.end());
+      isWorthwhile = 10 * (before - added.size()) >= before;
+    }
+  }
+}
+
+} // namespace carving::helper

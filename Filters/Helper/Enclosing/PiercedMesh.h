@@ -53,7 +53,7 @@ public:
   /** For each part, the number of tetrahedra that it pierces or of which it overlaps a face. */
   std::vector<int> CountCells() const;
 
-  /** The parts that are no faces, in ascending order of CountCells. */
+  /** The parts that are no faces. */
   std::vector<int> FindMissing() const;
 
   /** The tetrahedra that a part pierces, or a face of which it overlaps in an area. */

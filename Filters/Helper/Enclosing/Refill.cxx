@@ -110,9 +110,6 @@ std::vector<int> PiercedMesh::FindMissing() const
       missing.push_back(part);
     }
   }
-  const std::vector<int> counts = this->CountCells();
-  std::stable_sort(
-    missing.begin(), missing.end(), [&](int a, int b) { return counts[a] < counts[b]; });
   return missing;
 }
 

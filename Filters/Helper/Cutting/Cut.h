@@ -13,6 +13,9 @@
 namespace carving::helper
 {
 
+/** A tolerance for Cut, of the mesh's diagonal: some thousand times the rounding of a coordinate. */
+constexpr double CutTolerance = 1e-12;
+
 struct CutLimits
 {
   std::size_t Effort; ///< changes of the mesh that are tried

@@ -116,15 +116,15 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   PiercedMesh mesh(input, further, part(0.0, 0.1));
   // Where triangles cross each other, recovery meets few of them.
   const bool crosses = mayAddPoints && CrossesItselfOften(input);
-  // Cutting takes less time than more steps, unless triangles are to be cut that cross many others.
+  // Cutting takes less time than more steps would, but not where many triangles cross each other.
   const std::ptrdiff_t stepsPerFacet = crosses ? 100 : 30;
   const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
   Recover(mesh, 100000 + stepsPerFacet * facets, part(0.1, 0.2));
   if (mayAddPoints)
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
-    constexpr double rounding = 1e-12; // of the length: some thousand times that of a coordinate
-    const std::size_t cuts = Cut(mesh, rounding * length, { MaximumCuts, most }, part(0.2, 0.7));
+    const std::size_t cuts =
+      Cut(mesh, CutTolerance * length, { MaximumCuts, most }, part(0.2, 0.7));
     if (!crosses)
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);

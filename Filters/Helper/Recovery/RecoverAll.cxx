@@ -45,16 +45,15 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
   };
   PiercedMesh mesh(surface, further, part(0.0, 0.4));
   std::size_t missing = mesh.FindMissing().size();
-  constexpr double fewMissing = 0.15; // per triangle: TetGen takes longer
+  constexpr double fewMissing = 0.15; // per triangle: with more, TetGen takes less time
   const bool givesUp = effort == RecoveryEffort::Little &&
     static_cast<double>(missing) > fewMissing * static_cast<double>(facets);
   if (missing > 0 && !givesUp)
   {
     constexpr std::ptrdiff_t stepsPerFacet = 30; // cutting takes less time than more steps
     Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), part(0.4, 0.6));
-    constexpr double rounding = 1e-12; // of the length
     const std::size_t most = 100000 + 10 * facets;
-    Cut(mesh, rounding * Diagonal(surface.Points), { most, most }, part(0.6, 0.9));
+    Cut(mesh, CutTolerance * Diagonal(surface.Points), { most, most }, part(0.6, 0.9));
     if (mesh.FindMissing().empty())
     {
       constexpr int searches = 500;

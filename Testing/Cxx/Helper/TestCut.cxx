@@ -13,6 +13,7 @@
 #include "Helper/Enclosing/ExposedFaces.h"
 #include "Helper/Resolve/Clean.h"
 #include "HelperRun.h"
+#include "PiercedMeshCheck.h"
 #include "RandomModels.h"
 #include "Shapes.h"
 
@@ -31,27 +32,9 @@ using namespace carving::helper;
 namespace
 {
 
-bool Proceed(double)
-{
-  return true;
-}
-
 PiercedMesh MakePierced(const ResolvedMesh& input)
 {
   return PiercedMesh(input, {}, Proceed);
-}
-
-/** Six times the volume of all cells, which must be oriented positively. Exact but for sums. */
-double SixVolumeOf(const PiercedMesh& mesh)
-{
-  double sum = 0.0;
-  for (const PiercedMesh::Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    const auto& [a, b, c, d] = CornersOf(cell);
-    EXPECT_EQ(CGAL::orientation(a, b, c, d), CGAL::POSITIVE);
-    sum += SixVolume(ToPoint(a), ToPoint(b), ToPoint(c), ToPoint(d));
-  }
-  return sum;
 }
 
 /** The faces that are parts, each once. */

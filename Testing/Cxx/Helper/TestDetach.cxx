@@ -4,11 +4,11 @@
  * Vertices that cutting has put on M are taken off it.
  */
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/Vector.h"
 #include "Figures.h"
 #include "Helper/Cutting/Cut.h"
 #include "Helper/Recovery/Detach.h"
 #include "Helper/Resolve/Clean.h"
+#include "PiercedMeshCheck.h"
 #include "RandomModels.h"
 #include "Resolved.h"
 #include "Shapes.h"
@@ -24,11 +24,6 @@ using namespace carving::helper;
 
 namespace
 {
-
-bool Proceed(double)
-{
-  return true;
-}
 
 PiercedMesh MakeCut(const ResolvedMesh& input)
 {
@@ -58,25 +53,7 @@ std::set<int> FindVerticesOnM(const PiercedMesh& mesh, const ResolvedMesh& input
 void ExpectValid(const PiercedMesh& mesh, double sixVolume)
 {
   EXPECT_TRUE(mesh.GetDelaunay().tds().is_valid());
-  double sum = 0.0;
-  for (const PiercedMesh::Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    const auto& [a, b, c, d] = CornersOf(cell);
-    EXPECT_EQ(CGAL::orientation(a, b, c, d), CGAL::POSITIVE);
-    sum += SixVolume(ToPoint(a), ToPoint(b), ToPoint(c), ToPoint(d));
-  }
-  EXPECT_NEAR(sum, sixVolume, 1e-9 * sixVolume);
-}
-
-double SixVolumeOf(const PiercedMesh& mesh)
-{
-  double sum = 0.0;
-  for (const PiercedMesh::Cell cell : mesh.GetDelaunay().finite_cell_handles())
-  {
-    const auto& [a, b, c, d] = CornersOf(cell);
-    sum += SixVolume(ToPoint(a), ToPoint(b), ToPoint(c), ToPoint(d));
-  }
-  return sum;
+  EXPECT_NEAR(SixVolumeOf(mesh), sixVolume, 1e-9 * sixVolume);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace carving::helper
 {
@@ -102,13 +103,16 @@ bool Cutter::TryPart(const Part& part)
 void Cutter::GiveUp(const Part& part)
 {
   std::vector<Triangle> stack = { part.Corners };
+  // Where vertices nearly coincide, each of two edges may be divided at an end of the other one.
+  std::set<Triangle> known;
   while (!stack.empty())
   {
     const Triangle t = stack.back();
     stack.pop_back();
+    const bool isNew = known.insert(t).second;
     std::vector<int> chain;
     int side = 0;
-    for (; side < 3 && chain.empty(); ++side)
+    for (; isNew && side < 3 && chain.empty(); ++side)
     {
       this->Mesh.GetChains().Append(t[side], t[(side + 1) % 3], chain);
     }

@@ -81,6 +81,8 @@ bool CutMesh::Connect(int a, int b)
   {
     return true;
   }
+  constexpr int mostSwaps = 4;
+  int swaps = 0;
   std::vector<int> chain = { a };
   double distance = Length(this->PointOf(b) - this->PointOf(a));
   while (chain.back() != b)
@@ -90,12 +92,15 @@ bool CutMesh::Connect(int a, int b)
     {
       continue;
     }
-    const double left = next == NoWay ? distance : Length(this->PointOf(b) - this->PointOf(next));
-    if (left >= distance)
+    const double left = next == NoWay ? HUGE_VAL : Length(this->PointOf(b) - this->PointOf(next));
+    // Vertices that nearly coincide are at the same distance, or swapped.
+    const bool isSwapped = !(left < distance) && left < distance + this->Tolerance &&
+      std::find(chain.begin(), chain.end(), next) == chain.end();
+    if (!(left < distance) && !(isSwapped && ++swaps <= mostSwaps))
     {
       return false;
     }
-    distance = left;
+    distance = std::min(left, distance);
     chain.push_back(next);
   }
   this->Edges.Add(chain);

@@ -23,6 +23,7 @@ Patch::Patch(CutMesh& mesh, const Triangle& corners)
   {
     this->Sides[vertex] = 0;
   }
+  this->RemoveSpurs();
   for (int i = 0; i < 3; ++i)
   {
     this->CornerPoints[i] = ToInexact(mesh.PointOf(corners[i]));
@@ -33,10 +34,39 @@ Patch::Patch(CutMesh& mesh, const Triangle& corners)
   this->Normal = length > 0.0 ? this->Normal / length : Point{};
 }
 
+/**
+ * Removes the edges of the border that it follows forth and back at once: where other vertices are
+ * so close to a corner that both sides go through them.
+ */
+void Patch::RemoveSpurs()
+{
+  std::vector<int>& loop = this->Loop;
+  std::vector<int> kept;
+  for (const int vertex : loop)
+  {
+    if (kept.size() > 1 && kept[kept.size() - 2] == vertex)
+    {
+      kept.pop_back();
+    }
+    else
+    {
+      kept.push_back(vertex);
+    }
+  }
+  // The spur at the first corner is at both ends of the list.
+  std::size_t first = 0;
+  while (kept.size() > first + 2 && kept[first + 1] == kept.back())
+  {
+    kept.pop_back();
+    ++first;
+  }
+  loop.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
+}
+
 /** Whether the triangle has an area, and its border does not touch itself. */
 bool Patch::IsSimple() const
 {
-  return this->Normal != Point{} &&
+  return this->Normal != Point{} && this->Loop.size() > 2 &&
     std::set<int>(this->Loop.begin(), this->Loop.end()).size() == this->Loop.size();
 }
 
@@ -142,29 +172,33 @@ bool Patch::CutEdges()
 }
 
 /**
- * Whether a cell is above the plane of the triangle, and no part of it below. An infinite cell is
- * opposite to the finite one beside it.
+ * Whether a cell at a face on the plane of the triangle is on one side of the plane, with no part on
+ * the other. An infinite cell is on the side to which its face of the hull is turned.
  */
-bool Patch::IsAbove(const Cell& cell)
+bool Patch::IsOnSide(const Cell& cell, int side)
 {
   const auto& delaunay = this->Mesh.GetMesh().GetDelaunay();
-  bool isAbove = false;
+  if (delaunay.is_infinite(cell))
+  {
+    const Corners3 inward = FaceOf(cell, cell->index(delaunay.infinite_vertex()));
+    const Point a = ToPoint(inward[0]);
+    return side * Dot(this->Normal, Cross(ToPoint(inward[1]) - a, ToPoint(inward[2]) - a)) < 0.0;
+  }
+  bool isOnSide = false;
   for (int i = 0; i < 4; ++i)
   {
-    const bool isInfinite = delaunay.is_infinite(cell->vertex(i));
-    const int side = isInfinite ? -this->SideOf(delaunay.mirror_vertex(cell, i)->info().Index)
-                                : this->SideOf(cell->vertex(i)->info().Index);
-    if (side < 0)
+    const int corner = side * this->SideOf(cell->vertex(i)->info().Index);
+    if (corner < 0)
     {
       return false;
     }
-    isAbove |= side > 0;
+    isOnSide |= corner > 0;
   }
-  return isAbove;
+  return isOnSide;
 }
 
-/** Whether a face is on the plane, between a cell above it and one that is not. */
-bool Patch::IsFace(const Cell& cell, int f)
+/** Whether a face is on the plane, between a cell on one side of the plane and one that is not. */
+bool Patch::IsFace(const Cell& cell, int f, int side)
 {
   for (const int i : FaceCorners[f])
   {
@@ -174,41 +208,54 @@ bool Patch::IsFace(const Cell& cell, int f)
       return false;
     }
   }
-  return this->IsAbove(cell) != this->IsAbove(cell->neighbor(f));
+  return this->IsOnSide(cell, side) != this->IsOnSide(cell->neighbor(f), side);
 }
 
-/** The third corner of the only face on the left of an edge from a to b; -1: there is none. */
-int Patch::FindLeft(int a, int b)
+/**
+ * The third corner of the only face on the left of an edge from a to b; -1: there is none. Faces whose
+ * third corner is on the line of the edge count if there are no others.
+ */
+int Patch::FindLeft(int a, int b, int side)
 {
-  std::vector<int> found;
+  const Point& origin = this->Mesh.PointOf(a);
+  const Point along = this->Mesh.PointOf(b) - origin;
+  int found = -1;
+  double most = 0.0; // twice the area of the face found
+  bool isOnly = true;
   for (const Cell& cell : this->Mesh.GetMesh().FindCellsAround(a, b))
   {
     for (int f = 0; f < 4; ++f)
     {
       const int apex = cell->vertex(f)->info().Index;
-      if (apex == a || apex == b || !this->IsFace(cell, f))
+      if (apex == a || apex == b || !this->IsFace(cell, f, side))
       {
         continue;
       }
-      for (const int i : FaceCorners[f])
+      const auto isThird = [&](int i)
+      { return cell->vertex(i)->info().Index != a && cell->vertex(i)->info().Index != b; };
+      const int c =
+        cell->vertex(*std::find_if(FaceCorners[f], FaceCorners[f] + 3, isThird))->info().Index;
+      const double area = Dot(this->Normal, Cross(along, this->Mesh.PointOf(c) - origin));
+      if (c == found || area <= 0.0)
       {
-        const int c = cell->vertex(i)->info().Index;
-        const Point& origin = this->Mesh.PointOf(a);
-        if (c != a && c != b &&
-          Dot(this->Normal, Cross(this->Mesh.PointOf(b) - origin, this->Mesh.PointOf(c) - origin)) >
-            0.0)
-        {
-          found.push_back(c);
-        }
+        continue;
       }
+      isOnly &= std::min(area, most) <= this->Mesh.GetTolerance() * Length(along);
+      found = area > most ? c : found;
+      most = std::max(area, most);
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found.size() == 1 ? found[0] : -1;
+  return isOnly ? found : -1;
 }
 
 std::vector<Triangle> Patch::FindFaces()
+{
+  std::vector<Triangle> faces = this->FindFaces(1);
+  return faces.empty() ? this->FindFaces(-1) : faces;
+}
+
+/** The faces that bound the cells on one side: others are behind them where cells are flat. */
+std::vector<Triangle> Patch::FindFaces(int side)
 {
   std::unordered_map<std::uint64_t, int> border; // edges, and how many faces have them
   for (std::size_t i = 0; i < this->Loop.size(); ++i)
@@ -223,7 +270,7 @@ std::vector<Triangle> Patch::FindFaces()
   {
     const auto [a, b] = stack.back();
     stack.pop_back();
-    const int c = this->FindLeft(a, b);
+    const int c = this->FindLeft(a, b, side);
     if (c < 0)
     {
       return {};

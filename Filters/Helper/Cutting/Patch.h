@@ -35,12 +35,14 @@ private:
   using Cell = PiercedMesh::Cell;
   using Edge = std::array<int, 2>;
 
+  void RemoveSpurs();
   bool IsSimple() const;
   int SideOf(int vertex);
   std::vector<Edge> FindCrossing();
-  bool IsAbove(const Cell& cell);
-  bool IsFace(const Cell& cell, int f);
-  int FindLeft(int a, int b);
+  bool IsOnSide(const Cell& cell, int side);
+  bool IsFace(const Cell& cell, int f, int side);
+  int FindLeft(int a, int b, int side);
+  std::vector<Triangle> FindFaces(int side);
 
   CutMesh& Mesh;
   Triangle Corners;

@@ -199,6 +199,33 @@ TEST(Cut, MeetsTrianglesThatOverlapInAPlane)
   EXPECT_GE(met, all * 97 / 100);
 }
 
+// Cutting ends, and keeps the mesh valid, where vertices nearly coincide: both sides of a corner go
+// through such a vertex, and rounding decides which vertex is nearer to the other end of a side.
+TEST(Cut, EndsAtNearlyCoincidentVertices)
+{
+  std::mt19937_64 random(25);
+  std::uniform_real_distribution<double> offset(-1e-14, 1e-14);
+  for (int i = 0; i < 40; ++i)
+  {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    TriangleMesh soup = RandomTriangles(12, random);
+    for (Point& p : soup.Points)
+    {
+      if (random() % 2 == 0)
+      {
+        const Point& other = soup.Points[random() % soup.Points.size()];
+        p = other + Point{ offset(random), offset(random), offset(random) };
+      }
+    }
+    const ResolvedMesh input = Clean(AsResolved(soup));
+    PiercedMesh mesh = MakePierced(input);
+    const double volume = SixVolumeOf(mesh);
+    Cut(mesh, 1e-12, { 1000000, 100000 }, Proceed);
+    EXPECT_NEAR(SixVolumeOf(mesh), volume, 1e-9 * volume);
+    EXPECT_EQ(checks::CountCrossings(mesh.GetParts().GetPoints(), FindFaces(mesh)), 0);
+  }
+}
+
 // A triangle that pierces nothing, since its plane is triangulated in another way, becomes a face.
 TEST(Cut, MakesFacesOfCoveredTriangles)
 {

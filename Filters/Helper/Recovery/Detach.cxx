@@ -5,6 +5,7 @@
 #include "Helper/Recovery/VertexWalls.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <random>
 #include <set>
@@ -214,6 +215,33 @@ std::vector<int> FindAdded(const PiercedMesh& mesh, int firstAdded)
   return added;
 }
 
+/** The neighbors of vertices that were added, but are not on M; in ascending order. */
+std::vector<int> FindFreeNeighbors(
+  const PiercedMesh& mesh, const std::vector<int>& vertices, int firstAdded)
+{
+  std::vector<int> neighbors;
+  std::vector<Vertex> around;
+  for (const int vertex : vertices)
+  {
+    around.clear();
+    mesh.GetDelaunay().finite_adjacent_vertices(mesh.GetVertex(vertex), std::back_inserter(around));
+    for (const Vertex& v : around)
+    {
+      if (v->info().Index >= firstAdded)
+      {
+        neighbors.push_back(v->info().Index);
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  const std::vector<int> onM = FindAdded(mesh, firstAdded);
+  std::vector<int> free;
+  std::set_difference(
+    neighbors.begin(), neighbors.end(), onM.begin(), onM.end(), std::back_inserter(free));
+  return free;
+}
+
 } // namespace
 
 void RemoveFolds(PiercedMesh& mesh)
@@ -256,6 +284,14 @@ void DetachAll(PiercedMesh& mesh, int firstAdded, int maximumSearches)
     while (isWorthwhile && !added.empty())
     {
       const std::size_t before = added.size();
+      if (mayTakeLong)
+      {
+        // Cutting leaves vertices so close to M that there is no room beside them.
+        for (const int vertex : FindFreeNeighbors(mesh, added, firstAdded))
+        {
+          detacher.TryVertex(vertex, false);
+        }
+      }
       added.erase(std::remove_if(added.begin(), added.end(),
                     [&](int vertex) { return detacher.TryVertex(vertex, mayTakeLong); }),
         added.end());

@@ -133,7 +133,7 @@ TEST(Recovery, GivesUpEarlyWithLittleEffort)
   EXPECT_EQ(mesh.Surface.Points, given.Points);
 }
 
-// Recovery either meets a random mesh exactly or says how many triangles it lacks.
+// Recovery either meets a random mesh exactly or says how many triangles it lacks. It lacks few.
 TEST(Recovery, MeetsRandomMeshes)
 {
   std::mt19937_64 random(21);
@@ -150,7 +150,7 @@ TEST(Recovery, MeetsRandomMeshes)
       ExpectExact(mesh);
     }
   }
-  EXPECT_GT(met, 0);
+  EXPECT_GE(met, count * 9 / 10);
   RecordProperty("Met", met);
 }
 

@@ -74,8 +74,15 @@ bool Cutter::TryOnce(const Part& part)
     }
   }
   Patch patch(this->Mesh, part.Corners);
-  const std::vector<Triangle> faces =
-    patch.CutEdges() ? patch.FindFaces() : std::vector<Triangle>();
+  if (!patch.CutEdges())
+  {
+    return false;
+  }
+  const std::vector<Triangle> faces = patch.FindFaces();
+  if (faces.empty())
+  {
+    this->Mesh.RemoveFlat(patch.FindFlat());
+  }
   for (const Triangle& face : faces)
   {
     this->Mesh.GetMesh().GivePart(face, part.Parent);

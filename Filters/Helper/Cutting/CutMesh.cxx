@@ -261,7 +261,6 @@ bool CutMesh::FlipEdge(int a, int b)
   return !this->Edges.IsLink(a, b) && this->Mesh.FlipEdge(a, b);
 }
 
-/** Removes the first cell that is flat and can be removed. */
 void CutMesh::RemoveFlat(const std::vector<Cell>& cells)
 {
   for (const Cell& cell : cells)

@@ -43,6 +43,9 @@ public:
    */
   void Thin();
 
+  /** Removes the first of the cells that is flat and can be removed. */
+  void RemoveFlat(const std::vector<Cell>& cells);
+
   /**
    * Whether a flat tetrahedron that was in the way has been removed since the last call. What has
    * failed may then succeed.
@@ -85,7 +88,6 @@ private:
   int FollowHull(int from, int to);
   int SplitEdgeAt(int a, int b, const Point& p);
   int SplitFaceAt(const Cell& cell, int f, const Point& p);
-  void RemoveFlat(const std::vector<Cell>& cells);
 
   PiercedMesh& Mesh;
   double Tolerance;

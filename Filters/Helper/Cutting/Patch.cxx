@@ -304,4 +304,24 @@ std::vector<Triangle> Patch::FindFaces(int side)
                             : std::vector<Triangle>();
 }
 
+std::vector<Patch::Cell> Patch::FindFlat()
+{
+  PiercedMesh& mesh = this->Mesh.GetMesh();
+  std::vector<Cell> cells, flat;
+  mesh.BeginWalk();
+  for (const int vertex : this->Loop)
+  {
+    mesh.PushStar(mesh.GetVertex(vertex), cells);
+  }
+  for (const Cell& cell : cells)
+  {
+    const auto isOnPlane = [&](int i) { return this->SideOf(cell->vertex(i)->info().Index) == 0; };
+    if (isOnPlane(0) && isOnPlane(1) && isOnPlane(2) && isOnPlane(3))
+    {
+      flat.push_back(cell);
+    }
+  }
+  return flat;
+}
+
 } // namespace carving::helper

@@ -31,6 +31,9 @@ public:
   /** The faces that the triangle consists of, oriented as it; none if they are no disk. */
   std::vector<Triangle> FindFaces();
 
+  /** The cells on the plane that are at the border: they may hide faces. */
+  std::vector<PiercedMesh::Cell> FindFlat();
+
 private:
   using Cell = PiercedMesh::Cell;
   using Edge = std::array<int, 2>;

@@ -7,6 +7,7 @@
 #include "Helper/Enclosing/PiercedMesh.h"
 
 #include <algorithm>
+#include <set>
 
 namespace carving::helper
 {
@@ -99,13 +100,20 @@ PiercedMesh::Flattened PiercedMesh::RemoveCrossed(
     const auto [i, j] = OtherCorners(faces[side][0], faces[side][1]);
     result.Edges[side] = { cell->vertex(i)->info().Index, cell->vertex(j)->info().Index };
     const Place edge = this->PlaceOnEdge(result.Edges[side][0], result.Edges[side][1], {});
-    place.Outside.insert(place.Outside.end(), edge.Outside.begin(), edge.Outside.end());
+    if (!edge.Outside.empty())
+    {
+      return result; // what is flat on the hull has nothing on its other side
+    }
     place.Cells.insert(place.Cells.end(), edge.Cells.begin(), edge.Cells.end());
     place.Parts.insert(place.Parts.end(), edge.Parts.begin(), edge.Parts.end());
     place.Edges.push_back(result.Edges[side]);
   }
-  // The flat cell itself is around both edges.
+  // The flat cell itself is around both edges, and another one if it has the same corners.
   place.Cells.erase(std::find(place.Cells.begin(), place.Cells.end(), cell));
+  if (std::set<Cell>(place.Cells.begin(), place.Cells.end()).size() < place.Cells.size())
+  {
+    return result;
+  }
   const auto& points = this->Parts.GetPoints();
   const Point &a = points[place.Edges[0][0]], &b = points[place.Edges[0][1]],
               &c = points[place.Edges[1][0]], &d = points[place.Edges[1][1]];

@@ -49,6 +49,15 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   }
   const carving::Tetrahedralization& result = reply.Result;
   const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
+  if (kept == 0 && reply.MetShare < 1.0)
+  {
+    std::ostringstream text;
+    text << "The mesh is only enclosed: " << 100.0 * reply.MetShare
+         << " % of its area is met. Its other triangles lie on faces with other edges, which may "
+            "reach "
+            "beyond them.";
+    notes.push_back(text.str());
+  }
   if (kept > 0)
   {
     std::ostringstream text;

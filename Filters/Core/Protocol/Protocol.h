@@ -179,7 +179,7 @@ struct Reply
   double KeptDistance = 0.0; ///< in enclosing mode: the distance of kept tetrahedra from M, to 5 %
   double KeptDistance99 = 0.0;   ///< the distance of all but a hundredth of their surface
   double KeptDistanceMean = 0.0; ///< over their surface
-  double MetShare = 1.0;   ///< in enclosing mode: the share of M's area that pierces no tetrahedron
+  double MetShare = 1.0;   ///< in enclosing mode: the share of M's area that is faces
   int PointsAdded = 0;     ///< in enclosing mode: by refinement and recovery
   int InteriorDropped = 0; ///< triangles with solid on both sides that were omitted
   int SolidMatters = 0;    ///< nonzero if the result may depend on the solid rule

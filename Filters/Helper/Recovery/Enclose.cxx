@@ -64,19 +64,15 @@ bool CrossesItselfOften(const ResolvedMesh& input)
 }
 
 /**
- * Measures the share of M's area that pierces no tetrahedron, which is returned, and that of each
- * triangle's area.
+ * Measures the share of M's area that is faces, which is returned, and that of each triangle's area.
  */
 double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
 {
   const auto& parts = mesh.GetParts().GetParts();
-  std::vector<char> pierces(parts.size(), 0);
-  for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
+  std::vector<char> isFace(parts.size(), 1);
+  for (const int part : mesh.FindMissing())
   {
-    for (const PartContact& contact : cell->info().All)
-    {
-      pierces[contact.Part] |= contact.How.Pierces;
-    }
+    isFace[part] = 0;
   }
   std::vector<double> met(shares.size(), 0.0), all(shares.size(), 0.0);
   for (int part = 0; part < static_cast<int>(parts.size()); ++part)
@@ -88,12 +84,12 @@ double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
       // A part without area after rounding has a share nevertheless.
       const double twiceArea = std::max(Length(Cross(b - a, c - a)), DBL_MIN);
       all[parent] += twiceArea;
-      met[parent] += pierces[part] ? 0.0 : twiceArea;
+      met[parent] += isFace[part] ? twiceArea : 0.0;
     }
   }
   for (std::size_t i = 0; i < shares.size(); ++i)
   {
-    shares[i] = met[i] / all[i];
+    shares[i] = all[i] > 0.0 ? met[i] / all[i] : 1.0; // rounding may leave no part of a triangle
   }
   return std::accumulate(met.begin(), met.end(), 0.0) /
     std::accumulate(all.begin(), all.end(), 0.0);

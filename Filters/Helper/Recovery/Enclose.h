@@ -20,7 +20,7 @@ namespace carving::helper
 struct Enclosure
 {
   KeptDistances Distances;
-  double MetShare; ///< the share of M's area that pierces no tetrahedron
+  double MetShare; ///< the share of M's area that is faces
 };
 
 /**

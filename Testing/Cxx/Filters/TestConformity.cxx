@@ -134,6 +134,21 @@ TEST(Conformity, EnclosingMeetsACleanMesh)
   EXPECT_FALSE(Has(GetNotes(carver), "The mesh is only enclosed"));
 }
 
+// A note says that a mesh is only enclosed if its triangles are covered by faces with other edges.
+TEST(Conformity, NotesCoveredTriangles)
+{
+  carving::TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const auto first = static_cast<int>(box.Points.size());
+  box.Points.insert(box.Points.end(), { { 0.2, 0.3, 1 }, { 0.8, 0.4, 1 }, { 0.4, 0.8, 1 } });
+  box.Triangles.push_back({ first, first + 1, first + 2 });
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->SetEnclosingTolerance(0.0);
+  Carve(carver, ToPolyData(box));
+  EXPECT_LT(GetFieldValue(LastLevel(carver), "MetShare"), 1.0);
+  EXPECT_TRUE(Has(GetNotes(carver), "The mesh is only enclosed"));
+}
+
 // With AppendInput, a mesh that is only enclosed follows as given, with its data.
 TEST(Conformity, AppendsTheInputOnRequest)
 {

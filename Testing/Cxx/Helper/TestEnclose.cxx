@@ -147,6 +147,28 @@ TEST(Enclose, TakesOtherDiagonalsForTheSameSide)
   EXPECT_EQ(carved.Profile.Components.back(), 2);
 }
 
+// A triangle that pierces nothing is not met if the faces that it lies on reach beyond it.
+TEST(Enclose, DoesNotCountCoveredTrianglesAsMet)
+{
+  TriangleMesh mesh = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const auto first = static_cast<int>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), { { 0.2, 0.3, 1 }, { 0.8, 0.4, 1 }, { 0.4, 0.8, 1 } });
+  mesh.Triangles.push_back({ first, first + 1, first + 2 });
+  const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.0); // no vertex may be added
+  EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
+  EXPECT_LT(reply.MetShare, 1.0);
+  for (std::size_t i = 0; i < reply.Result.MetShares.size(); ++i)
+  {
+    const Triangle& t = mesh.Triangles[reply.Result.Unresolved.FacetSources[i]];
+    const bool isOnTop =
+      std::all_of(t.begin(), t.end(), [&](int v) { return mesh.Points[v][2] == 1.0; });
+    if (isOnTop && t[0] < first)
+    {
+      EXPECT_EQ(reply.Result.MetShares[i], 0.0); // the other triangle's corners are inside
+    }
+  }
+}
+
 // A mesh without crossings is met as a whole, and nothing is kept.
 TEST(Enclose, MeetsACleanMesh)
 {

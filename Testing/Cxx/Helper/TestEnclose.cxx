@@ -169,6 +169,48 @@ TEST(Enclose, DoesNotCountCoveredTrianglesAsMet)
   }
 }
 
+// A hole in a flat side stays a hole, though a Delaunay face would reach over a part of it.
+TEST(Enclose, KeepsAHoleInAFlatSide)
+{
+  // A plate with a corner in the middle of one side, and a long triangular hole near that side.
+  const std::vector<std::array<double, 2>> corners = { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 4 },
+    { 0, 4 }, { 0.5, 0.5 }, { 3.5, 0.6 }, { 0.6, 0.7 } };
+  const std::vector<Triangle> top = { { 0, 1, 5 }, { 1, 6, 5 }, { 1, 2, 6 }, { 2, 3, 6 },
+    { 3, 7, 6 }, { 3, 4, 7 }, { 4, 5, 7 }, { 4, 0, 5 } };
+  const std::vector<std::array<int, 2>> walls = { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 3, 4 }, { 4, 0 },
+    { 6, 5 }, { 7, 6 }, { 5, 7 } };
+  constexpr int above = 8;
+  TriangleMesh plate;
+  for (const double z : { 0.0, 1.0 })
+  {
+    for (const auto& [x, y] : corners)
+    {
+      plate.Points.push_back({ x, y, z });
+    }
+  }
+  for (const auto& [a, b, c] : top)
+  {
+    plate.Triangles.push_back({ a + above, b + above, c + above });
+    plate.Triangles.push_back({ a, c, b });
+  }
+  for (const auto& [a, b] : walls)
+  {
+    plate.Triangles.push_back({ a, b, b + above });
+    plate.Triangles.push_back({ a, b + above, a + above });
+  }
+  constexpr double volume = 16.0 - 0.5 * (3.0 * 0.2 - 0.1 * 0.1);
+  for (const TriangleMesh& mesh :
+    { plate, models::Sheared(plate), models::Moved(models::Sheared(plate), { 0.1, 0.7, 0.3 }) })
+  {
+    const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.02);
+    EXPECT_EQ(reply.MetShare, 1.0);
+    const Carved carved = CarveResult(reply.Result);
+    const auto shell = Shell(ExtractLevel(carved.Stored, carved.Stream.LastStep()));
+    EXPECT_NEAR(checks::SixVolume(carved.Mesh.Surface.Points, shell), 6.0 * volume, 1e-9);
+    EXPECT_EQ(carved.Profile.Tunnels.back(), 1);
+  }
+}
+
 // A mesh without crossings is met as a whole, and nothing is kept.
 TEST(Enclose, MeetsACleanMesh)
 {

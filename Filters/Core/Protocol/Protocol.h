@@ -179,11 +179,11 @@ struct Reply
   double KeptDistance = 0.0; ///< in enclosing mode: the distance of kept tetrahedra from M, to 5 %
   double KeptDistance99 = 0.0;   ///< the distance of all but a hundredth of their surface
   double KeptDistanceMean = 0.0; ///< over their surface
-  double MetShare = 1.0;   ///< in enclosing mode: the share of M's area that is faces
-  int PointsAdded = 0;     ///< in enclosing mode: by refinement and recovery
-  int InteriorDropped = 0; ///< triangles with solid on both sides that were omitted
-  int SolidMatters = 0;    ///< nonzero if the result may depend on the solid rule
-  double SnapDistance = 0.0; ///< the largest displacement of a point of M by snapping
+  double MetShare = 1.0;         ///< in enclosing mode: the share of M's area that is faces
+  int PointsAdded = 0;           ///< in enclosing mode: by refinement and recovery
+  int InteriorDropped = 0;       ///< triangles with solid on both sides that were omitted
+  int SolidMatters = 0;          ///< nonzero if the result may depend on the solid rule
+  double SnapDistance = 0.0;     ///< the largest displacement of a point of M by snapping
   /**
    * Pairs of triangles that intersected outside of shared vertices and edges after cleaning. In the
    * plane, points in the interior of edges at which other edges met them.

@@ -19,6 +19,16 @@ inline bool GoOn(const Progress& progress, double fraction)
   return !progress || progress(fraction);
 }
 
+/**
+ * The progress of a part of a computation, which lasts from the fraction `begin` to `end`. Holds a
+ * reference.
+ */
+inline Progress PartOf(const Progress& progress, double begin, double end)
+{
+  return [&progress, begin, end](double fraction)
+  { return GoOn(progress, begin + (end - begin) * fraction); };
+}
+
 } // namespace carving
 
 #endif

@@ -2,6 +2,7 @@
 #include "Helper/Recovery/Enclose.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/Progress.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
 #include "Helper/Cutting/Cut.h"
@@ -105,22 +106,19 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   constexpr double negligible = 1e-4;
   constexpr double accuracy = 1.05; // distances are exact to within this factor
   const double bound = tolerance * length / accuracy;
-  const auto part = [&](double begin, double end) {
-    return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
-  };
   const bool mayAddPoints = tolerance > 0.0;
-  PiercedMesh mesh(input, further, part(0.0, 0.1));
+  PiercedMesh mesh(input, further, PartOf(progress, 0.0, 0.1));
   // Where triangles cross each other, recovery meets few of them.
   const bool crosses = mayAddPoints && CrossesItselfOften(input);
   // Cutting takes less time than more steps would, but not where many triangles cross each other.
   const std::ptrdiff_t stepsPerFacet = crosses ? 100 : 30;
   const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-  Recover(mesh, 100000 + stepsPerFacet * facets, part(0.1, 0.2));
+  Recover(mesh, 100000 + stepsPerFacet * facets, PartOf(progress, 0.1, 0.2));
   if (mayAddPoints)
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
     const std::size_t cuts =
-      Cut(mesh, CutTolerance * length, { MaximumCuts, most }, part(0.2, 0.7));
+      Cut(mesh, CutTolerance * length, { MaximumCuts, most }, PartOf(progress, 0.2, 0.7));
     if (!crosses)
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
@@ -132,8 +130,9 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
     const std::size_t count = input.Points.size();
     const std::size_t mostCloser = count / 10 + 10000 + std::min(spare, 40 * count);
-    HalveKept(mesh, distance, closer * bound, std::min(mostCloser, most), part(0.7, 0.8));
-    HalveKept(mesh, distance, bound, most, part(0.8, 0.9));
+    HalveKept(
+      mesh, distance, closer * bound, std::min(mostCloser, most), PartOf(progress, 0.7, 0.8));
+    HalveKept(mesh, distance, bound, most, PartOf(progress, 0.8, 0.9));
   }
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);
   result = {};

@@ -14,6 +14,9 @@
 namespace carving::helper
 {
 
+/** Of cavities that are worth a search, for its time grows fast with them. */
+constexpr std::size_t MaximumCavityVertices = 48;
+
 /** A part of space that has been emptied, to be filled with tetrahedra between its points. */
 struct Cavity
 {

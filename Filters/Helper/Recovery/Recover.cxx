@@ -17,8 +17,7 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Vertex = PiercedMesh::Vertex;
 
-constexpr int WholePart = -1;               ///< instead of an edge
-constexpr std::size_t MaximumVertices = 48; ///< of a cavity
+constexpr int WholePart = -1; ///< instead of an edge
 
 /** How hard a part is tried: ever harder from pass to pass. */
 struct Pass
@@ -213,7 +212,7 @@ bool Recoverer::TryCells(int part, int edge, const std::vector<Cell>& cells, con
 {
   Region region{ cells, {}, {}, {} };
   this->AddVertices(part, region);
-  if (region.Vertices.size() > MaximumVertices)
+  if (region.Vertices.size() > MaximumCavityVertices)
   {
     return false;
   }

@@ -2,12 +2,14 @@
 #include "Helper/Recovery/RecoverAll.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/Progress.h"
 #include "Helper/Cutting/Cut.h"
 #include "Helper/Recovery/Detach.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace carving::helper
@@ -15,8 +17,19 @@ namespace carving::helper
 namespace
 {
 
-/** The number of triangles of M that are no faces. */
-std::size_t CountMissing(const PiercedMesh& mesh, const std::vector<Triangle>& facets)
+/** The number of triangles of M that have one of the parts. */
+std::size_t CountTriangles(const PiercedMesh& mesh, const std::vector<int>& parts)
+{
+  std::set<int> triangles;
+  for (const int part : parts)
+  {
+    triangles.insert(mesh.GetParts().GetParts()[part].Parent);
+  }
+  return triangles.size();
+}
+
+/** The number of triangles of M that are not single faces. */
+std::size_t CountDivided(const PiercedMesh& mesh, const std::vector<Triangle>& facets)
 {
   std::vector<char> isFace(facets.size(), 0);
   const auto& parts = mesh.GetParts().GetParts();
@@ -40,10 +53,7 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
 {
   const ResolvedMesh& surface = result.Surface;
   const std::size_t facets = surface.Facets.size();
-  const auto part = [&](double begin, double end) {
-    return [&progress, begin, end](double done) { return progress(begin + (end - begin) * done); };
-  };
-  PiercedMesh mesh(surface, further, part(0.0, 0.4));
+  PiercedMesh mesh(surface, further, PartOf(progress, 0.0, 0.4));
   std::size_t missing = mesh.FindMissing().size();
   constexpr double fewMissing = 0.15; // per triangle: with more, TetGen takes less time
   const bool givesUp = effort == RecoveryEffort::Little &&
@@ -51,16 +61,17 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
   if (missing > 0 && !givesUp)
   {
     constexpr std::ptrdiff_t stepsPerFacet = 30; // cutting takes less time than more steps
-    Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), part(0.4, 0.6));
+    Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), PartOf(progress, 0.4, 0.6));
     const std::size_t most = 100000 + 10 * facets;
-    Cut(mesh, CutTolerance * Diagonal(surface.Points), { most, most }, part(0.6, 0.9));
-    if (mesh.FindMissing().empty())
+    Cut(mesh, CutTolerance * Diagonal(surface.Points), { most, most }, PartOf(progress, 0.6, 0.9));
+    missing = CountTriangles(mesh, mesh.FindMissing());
+    if (missing == 0)
     {
       constexpr int searches = 500;
       RemoveFolds(mesh);
       DetachAll(mesh, static_cast<int>(surface.Points.size() + further.size()), searches);
+      missing = CountDivided(mesh, surface.Facets);
     }
-    missing = CountMissing(mesh, surface.Facets);
   }
   if (missing > 0)
   {

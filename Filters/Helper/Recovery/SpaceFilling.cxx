@@ -118,7 +118,6 @@ std::optional<SpaceFilling> FillFromPoint(const Border& border, const Inexact::P
 std::optional<SpaceFilling> SearchFilling(const std::vector<Cell>& cells, const Border& border,
   const Vertex& v, int points, std::mt19937& random)
 {
-  constexpr std::size_t mostVertices = 48;
   SpaceFilling filling;
   std::vector<Corners4> corners;
   for (const Cell& cell : cells)
@@ -133,7 +132,7 @@ std::optional<SpaceFilling> SearchFilling(const std::vector<Cell>& cells, const 
     corners.push_back(helper::CornersOf(cell));
   }
   SortUnique(filling.Vertices);
-  if (filling.Vertices.size() > mostVertices)
+  if (filling.Vertices.size() > MaximumCavityVertices)
   {
     return {};
   }

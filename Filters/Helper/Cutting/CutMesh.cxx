@@ -69,10 +69,7 @@ CutMesh::CutMesh(PiercedMesh& mesh, double tolerance)
 
 bool CutMesh::IsEdge(int a, int b) const
 {
-  Cell cell;
-  int i = 0, j = 0;
-  return this->Mesh.GetDelaunay().tds().is_edge(
-    this->Mesh.GetVertex(a), this->Mesh.GetVertex(b), cell, i, j);
+  return this->Mesh.FindEdge(a, b).has_value();
 }
 
 bool CutMesh::Connect(int a, int b)
@@ -225,18 +222,20 @@ int CutMesh::CrossFace(int from, int to, const Exit& exit)
 
 int CutMesh::SplitEdge(int a, int b, double share)
 {
-  return this->SplitEdgeAt(a, b, Between(this->PointOf(a), this->PointOf(b), share));
-}
-
-int CutMesh::SplitEdgeAt(int a, int b, const Point& p)
-{
-  ++this->Effort;
-  const int vertex = this->Mesh.SplitEdge(a, b, p, this->IsLink);
-  if (vertex >= 0)
+  const Point from = this->PointOf(a), to = this->PointOf(b);
+  // Rounding turns other cells over at other points; all of these are within the tolerance.
+  const double shift = 0.1 * this->Tolerance / Length(to - from);
+  for (const double shifts : { 0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0 })
   {
-    this->Added.push_back(vertex);
-    this->Edges.Split(a, b, vertex);
-    return vertex;
+    ++this->Effort;
+    const int vertex =
+      this->Mesh.SplitEdge(a, b, Between(from, to, share + shifts * shift), this->IsLink);
+    if (vertex >= 0)
+    {
+      this->Added.push_back(vertex);
+      this->Edges.Split(a, b, vertex);
+      return vertex;
+    }
   }
   this->RemoveFlat(this->Mesh.FindCellsAround(a, b));
   return NoWay;
@@ -255,10 +254,15 @@ int CutMesh::SplitFaceAt(const Cell& cell, int f, const Point& p)
   return NoWay;
 }
 
-bool CutMesh::FlipEdge(int a, int b)
+bool CutMesh::FlipEdge(int a, int b, const std::vector<Cell>& around)
 {
+  constexpr std::size_t replaced = 3; // cells, by two
+  if (around.size() != replaced || this->Edges.IsLink(a, b))
+  {
+    return false;
+  }
   ++this->Effort;
-  return !this->Edges.IsLink(a, b) && this->Mesh.FlipEdge(a, b);
+  return this->Mesh.FlipEdge(a, b, { around[0], around[1], around[2] });
 }
 
 void CutMesh::RemoveFlat(const std::vector<Cell>& cells)

@@ -32,8 +32,8 @@ public:
   /** Puts a vertex on an edge, by a share of the way from a to b. Returns it; -1 on failure. */
   int SplitEdge(int a, int b, double share);
 
-  /** Whether an edge that is no link of a chain has been flipped away. */
-  bool FlipEdge(int a, int b);
+  /** Whether an edge, given with all cells around it, has been flipped away. A link never is. */
+  bool FlipEdge(int a, int b, const std::vector<Cell>& around);
 
   bool IsEdge(int a, int b) const;
 
@@ -86,7 +86,6 @@ private:
   Exit FindExit(int from, int to) const;
   int CrossFace(int from, int to, const Exit& exit);
   int FollowHull(int from, int to);
-  int SplitEdgeAt(int a, int b, const Point& p);
   int SplitFaceAt(const Cell& cell, int f, const Point& p);
 
   PiercedMesh& Mesh;

@@ -103,18 +103,24 @@ std::vector<Patch::Edge> Patch::FindCrossing()
   {
     const Cell cell = stack.back();
     stack.pop_back();
+    std::array<int, 4> corners, sides;
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i] = cell->vertex(i)->info().Index;
+      sides[i] = this->SideOf(corners[i]);
+    }
     bool isCut = false;
     for (int i = 0; i < 3; ++i)
     {
       for (int j = i + 1; j < 4; ++j)
       {
-        const int a = cell->vertex(i)->info().Index, b = cell->vertex(j)->info().Index;
-        if (this->SideOf(a) * this->SideOf(b) < 0 && known.insert(EdgeKey(a, b)).second &&
+        const int a = corners[i], b = corners[j];
+        if (sides[i] * sides[j] < 0 && known.insert(EdgeKey(a, b)).second &&
           CrossesInside(cell->vertex(i)->point(), cell->vertex(j)->point(), this->CornerPoints))
         {
           isCut = true;
           edges.push_back({ std::min(a, b), std::max(a, b) });
-          for (const Cell& around : mesh.FindCellsAround(a, b))
+          for (const Cell& around : mesh.FindCellsAround({ cell, i, j }))
           {
             mesh.Push(around, stack);
           }
@@ -123,10 +129,9 @@ std::vector<Patch::Edge> Patch::FindCrossing()
     }
     for (int i = 0; i < 4 && isCut; ++i)
     {
-      const PiercedMesh::Vertex v = cell->vertex(i);
-      if (this->SideOf(v->info().Index) == 0 && centers.insert(v->info().Index).second)
+      if (sides[i] == 0 && centers.insert(corners[i]).second)
       {
-        mesh.PushStar(v, stack);
+        mesh.PushStar(cell->vertex(i), stack);
       }
     }
   }
@@ -150,12 +155,13 @@ bool Patch::CutEdges()
     isCut = true;
     for (const auto& [a, b] : this->FindCrossing())
     {
-      if (!this->Mesh.IsEdge(a, b))
+      const std::vector<Cell> around = this->Mesh.GetMesh().FindCellsAround(a, b);
+      if (around.empty())
       {
         isCut = false;
         continue;
       }
-      if (this->Mesh.FlipEdge(a, b))
+      if (this->Mesh.FlipEdge(a, b, around))
       {
         continue;
       }
@@ -212,17 +218,19 @@ bool Patch::IsFace(const Cell& cell, int f, int side)
 }
 
 /**
- * The third corner of the only face on the left of an edge from a to b; -1: there is none. Faces whose
- * third corner is on the line of the edge count if there are no others.
+ * The only face on the left of an edge, seen from the first of its corners. Faces whose third corner
+ * is on the line of the edge count if there are no others.
  */
-int Patch::FindLeft(int a, int b, int side)
+Patch::Left Patch::FindLeft(const CellEdge& edge, int side)
 {
+  const int a = edge.first->vertex(edge.second)->info().Index;
+  const int b = edge.first->vertex(edge.third)->info().Index;
   const Point& origin = this->Mesh.PointOf(a);
   const Point along = this->Mesh.PointOf(b) - origin;
-  int found = -1;
+  Left found;
   double most = 0.0; // twice the area of the face found
   bool isOnly = true;
-  for (const Cell& cell : this->Mesh.GetMesh().FindCellsAround(a, b))
+  for (const Cell& cell : this->Mesh.GetMesh().FindCellsAround(edge))
   {
     for (int f = 0; f < 4; ++f)
     {
@@ -236,16 +244,16 @@ int Patch::FindLeft(int a, int b, int side)
       const int c =
         cell->vertex(*std::find_if(FaceCorners[f], FaceCorners[f] + 3, isThird))->info().Index;
       const double area = Dot(this->Normal, Cross(along, this->Mesh.PointOf(c) - origin));
-      if (c == found || area <= 0.0)
+      if (c == found.Corner || area <= 0.0)
       {
         continue;
       }
       isOnly &= std::min(area, most) <= this->Mesh.GetTolerance() * Length(along);
-      found = area > most ? c : found;
+      found = area > most ? Left{ c, cell } : found;
       most = std::max(area, most);
     }
   }
-  return isOnly ? found : -1;
+  return isOnly ? found : Left();
 }
 
 std::vector<Triangle> Patch::FindFaces()
@@ -265,16 +273,24 @@ std::vector<Triangle> Patch::FindFaces(int side)
   std::set<Triangle> faces; // with the smallest corner first
   std::unordered_set<std::uint64_t> inside;
   std::unordered_set<int> vertices;
-  std::vector<Edge> stack = { { this->Loop[0], this->Loop[1] } }; // with a face on the left
+  const PiercedMesh& mesh = this->Mesh.GetMesh();
+  const std::optional<CellEdge> first = mesh.FindEdge(this->Loop[0], this->Loop[1]);
+  std::vector<CellEdge> stack; // with a face on the left
+  if (first)
+  {
+    stack.push_back(*first);
+  }
   while (!stack.empty())
   {
-    const auto [a, b] = stack.back();
+    const CellEdge edge = stack.back();
     stack.pop_back();
-    const int c = this->FindLeft(a, b, side);
+    const auto [c, cell] = this->FindLeft(edge, side);
     if (c < 0)
     {
       return {};
     }
+    const int a = edge.first->vertex(edge.second)->info().Index;
+    const int b = edge.first->vertex(edge.third)->info().Index;
     Triangle face = { a, b, c };
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
     if (!faces.insert(face).second)
@@ -292,7 +308,7 @@ std::vector<Triangle> Patch::FindFaces(int side)
       else
       {
         inside.insert(EdgeKey(p, q));
-        stack.push_back({ q, p });
+        stack.emplace_back(cell, cell->index(mesh.GetVertex(q)), cell->index(mesh.GetVertex(p)));
       }
     }
   }

@@ -37,6 +37,14 @@ public:
 private:
   using Cell = PiercedMesh::Cell;
   using Edge = std::array<int, 2>;
+  using CellEdge = PiercedMesh::Delaunay::Edge; ///< a cell, and which of its corners
+
+  /** The third corner of a face on the left of an edge, and a cell that has the face. */
+  struct Left
+  {
+    int Corner = -1; ///< none if there is no such face
+    Cell Of;
+  };
 
   void RemoveSpurs();
   bool IsSimple() const;
@@ -44,7 +52,7 @@ private:
   std::vector<Edge> FindCrossing();
   bool IsOnSide(const Cell& cell, int side);
   bool IsFace(const Cell& cell, int f, int side);
-  int FindLeft(int a, int b, int side);
+  Left FindLeft(const CellEdge& edge, int side);
   std::vector<Triangle> FindFaces(int side);
 
   CutMesh& Mesh;

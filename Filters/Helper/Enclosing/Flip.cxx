@@ -54,10 +54,9 @@ bool PiercedMesh::FlipFace(const Cell& cell, int f)
   return true;
 }
 
-bool PiercedMesh::FlipEdge(int a, int b)
+bool PiercedMesh::FlipEdge(int a, int b, const std::array<Cell, 3>& cells)
 {
   const Vertex from = this->Vertices[a], to = this->Vertices[b];
-  const std::vector<Cell> cells = this->FindCellsAround(a, b);
   const auto mayGo = [&](const Cell& cell)
   {
     const auto& contacts = cell->info().All;
@@ -66,7 +65,7 @@ bool PiercedMesh::FlipEdge(int a, int b)
         [&](const PartContact& contact)
         { return contact.How.Face == cell->index(from) || contact.How.Face == cell->index(to); });
   };
-  if (cells.size() != 3 || !std::all_of(cells.begin(), cells.end(), mayGo))
+  if (!std::all_of(cells.begin(), cells.end(), mayGo))
   {
     return false;
   }
@@ -85,7 +84,7 @@ bool PiercedMesh::FlipEdge(int a, int b)
     }
     made.push_back(WithCorner(cell, i, third));
   }
-  this->Refill(cells, made);
+  this->Refill({ cells.begin(), cells.end() }, made);
   return true;
 }
 

@@ -81,15 +81,12 @@ Corners3 PiercedMesh::CornersOf(int part) const
 /** Finds the contacts of a part that is a face, as most parts are, without a search. */
 bool PiercedMesh::SettleOnFace(int part)
 {
-  const Triangle& corners = this->Parts.GetParts()[part].Corners;
-  Cell cell;
-  int i = 0, j = 0, k = 0;
-  if (!this->Mesh.is_facet(this->Vertices[corners[0]], this->Vertices[corners[1]],
-        this->Vertices[corners[2]], cell, i, j, k))
+  const std::optional<Delaunay::Facet> found = this->FindFace(part);
+  if (!found)
   {
     return false;
   }
-  const int f = 6 - i - j - k; // the remaining one of 0, 1, 2, 3
+  const auto& [cell, f] = *found;
   const Cell other = cell->neighbor(f);
   for (const auto& [side, face] : { std::pair(cell, f), std::pair(other, other->index(cell)) })
   {

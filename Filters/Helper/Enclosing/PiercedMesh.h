@@ -16,6 +16,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace carving::helper
@@ -81,11 +82,12 @@ public:
   int SplitFace(const Cell& cell, int f, const Point& p, const EdgePredicate& isProtected);
 
   /**
-   * Replace the two tetrahedra at a face by three, or the three at an edge by two, unless the face or
-   * the edge belongs to a part or a new tetrahedron would be nearly flat. Return whether they did.
+   * Replace the two tetrahedra at a face by three, or the three around an edge by two, unless the
+   * face or the edge belongs to a part or a new tetrahedron would be nearly flat. Return whether
+   * they did.
    */
   bool FlipFace(const Cell& cell, int f);
-  bool FlipEdge(int a, int b);
+  bool FlipEdge(int a, int b, const std::array<Cell, 3>& cells);
 
   /** What has become of a tetrahedron without volume. */
   struct Flattened
@@ -122,6 +124,9 @@ public:
   {
     return this->Vertices[index];
   }
+
+  /** The edge from one vertex to another, if there is one. */
+  std::optional<Delaunay::Edge> FindEdge(int a, int b) const;
 
   /** All tetrahedra around an edge, infinite ones, too; none if there is no such edge. */
   std::vector<Cell> FindCellsAround(int a, int b) const;
@@ -177,6 +182,7 @@ private:
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);
   bool SettleOnFace(int part);
+  std::optional<Delaunay::Facet> FindFace(int part) const;
   void Forget(int part);
   PartsOfCells Collect(const std::vector<Cell>& cells) const;
   void Renew(const std::vector<Cell>& cells, const PartsOfCells& parts);

@@ -55,13 +55,23 @@ private:
 
 } // namespace
 
-bool PiercedMesh::IsFace(int part) const
+/** The face that is a part, if there is one. */
+std::optional<PiercedMesh::Delaunay::Facet> PiercedMesh::FindFace(int part) const
 {
-  const Triangle& corners = this->Parts.GetParts()[part].Corners;
+  // CGAL searches the cells around the first vertex. Vertices that were added have few.
+  Triangle corners = this->Parts.GetParts()[part].Corners;
+  std::sort(corners.rbegin(), corners.rend());
   Cell cell;
   int i = 0, j = 0, k = 0;
   return this->Mesh.is_facet(this->Vertices[corners[0]], this->Vertices[corners[1]],
-    this->Vertices[corners[2]], cell, i, j, k);
+           this->Vertices[corners[2]], cell, i, j, k)
+    ? std::optional(Delaunay::Facet(cell, 6 - i - j - k)) // the remaining one of 0, 1, 2, 3
+    : std::nullopt;
+}
+
+bool PiercedMesh::IsFace(int part) const
+{
+  return this->FindFace(part).has_value();
 }
 
 bool PiercedMesh::IsOnWholeFace(const Cell& cell, const PartContact& contact) const

@@ -118,13 +118,21 @@ bool IsAmong(const std::vector<Edge>& edges, int a, int b)
 
 } // namespace
 
-std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
+std::optional<PiercedMesh::Delaunay::Edge> PiercedMesh::FindEdge(int a, int b) const
 {
+  // CGAL searches the cells around the first vertex. Vertices that were added have few.
+  const auto [lower, upper] = std::minmax(a, b);
   Cell cell;
   int i = 0, j = 0;
-  return this->Mesh.tds().is_edge(this->Vertices[a], this->Vertices[b], cell, i, j)
-    ? this->FindCellsAround({ cell, i, j })
-    : std::vector<Cell>();
+  return this->Mesh.tds().is_edge(this->Vertices[upper], this->Vertices[lower], cell, i, j)
+    ? std::optional(upper == a ? Delaunay::Edge(cell, i, j) : Delaunay::Edge(cell, j, i))
+    : std::nullopt;
+}
+
+std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
+{
+  const std::optional<Delaunay::Edge> edge = this->FindEdge(a, b);
+  return edge ? this->FindCellsAround(*edge) : std::vector<Cell>();
 }
 
 std::vector<Cell> PiercedMesh::FindCellsAround(const Delaunay::Edge& edge) const

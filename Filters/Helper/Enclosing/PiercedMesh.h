@@ -188,6 +188,8 @@ private:
   void Renew(const std::vector<Cell>& cells, const PartsOfCells& parts);
   int TakeIndex(const Point& p);
   void SetVertex(int index, const Vertex& v);
+  void DeleteVertex(int vertex);
+  void Collapse(const std::vector<Cell>& star, const Vertex& from, const Vertex& to);
   template <class Visit>
   void Walk(int part, const Piercer& piercer, const Visit& visit);
 

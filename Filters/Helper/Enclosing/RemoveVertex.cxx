@@ -172,28 +172,66 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
   {
     return -1;
   }
-  std::vector<Subdivision::Part> moved;
   for (const int part : parts)
   {
-    Subdivision::Part to = this->Parts.GetParts()[part];
-    if (std::find(to.Corners.begin(), to.Corners.end(), target) == to.Corners.end())
+    const Triangle& corners = this->Parts.GetParts()[part].Corners;
+    if (std::find(corners.begin(), corners.end(), target) == corners.end())
     {
-      std::replace(to.Corners.begin(), to.Corners.end(), vertex, target);
-      moved.push_back(to);
+      this->Parts.MoveCorner(part, vertex, target);
+    }
+    else
+    {
+      this->Parts.Take(part);
     }
   }
-  std::vector<std::array<Vertex, 4>> cells;
+  this->Collapse(star, v, this->Vertices[target]);
+  this->DeleteVertex(vertex);
+  return target;
+}
+
+/**
+ * Moves a vertex to a neighbor: the cells that have both vanish, and the two faces of each that have
+ * only one of both become one. No part may do more than be a face of the cells around the vertex.
+ */
+void PiercedMesh::Collapse(const std::vector<Cell>& star, const Vertex& from, const Vertex& to)
+{
   for (const Cell& cell : star)
   {
-    if (!cell->has_vertex(this->Vertices[target]))
+    if (!cell->has_vertex(to))
     {
-      auto& corners = cells.emplace_back(std::array<Vertex, 4>{
-        cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
-      std::replace(corners.begin(), corners.end(), v, this->Vertices[target]);
+      cell->set_vertex(cell->index(from), to);
+      cell->info().Near = {};
+      to->set_cell(cell);
+      continue;
     }
+    const int fromFace = cell->index(from), toFace = cell->index(to); // opposite to each
+    const Cell kept = cell->neighbor(toFace), behind = cell->neighbor(fromFace);
+    const int keptFace = kept->index(cell), behindFace = behind->index(cell);
+    this->Mesh.tds().set_adjacency(kept, keptFace, behind, behindFace);
+    for (int i = 0; i < 4; ++i)
+    {
+      cell->vertex(i)->set_cell(kept); // which may be all that is left around it
+    }
+    for (const PartContact& contact : cell->info().All)
+    {
+      if (contact.How.Face == fromFace)
+      {
+        kept->info().Add({ contact.Part, { false, keptFace } });
+      }
+      else if (contact.How.Face == toFace && !this->Mesh.is_infinite(behind))
+      {
+        behind->info().Add({ contact.Part, { false, behindFace } });
+      }
+    }
+    this->Mesh.tds().delete_cell(cell);
   }
-  this->ReplaceStar(vertex, star, cells, parts, moved);
-  return target;
+}
+
+void PiercedMesh::DeleteVertex(int vertex)
+{
+  this->Mesh.tds().delete_vertex(this->Vertices[vertex]);
+  this->Vertices[vertex] = Vertex();
+  this->Free.push_back(vertex);
 }
 
 void PiercedMesh::ReplaceStar(int vertex, const std::vector<Cell>& star,
@@ -205,9 +243,7 @@ void PiercedMesh::ReplaceStar(int vertex, const std::vector<Cell>& star,
     this->Parts.Take(part);
   }
   this->Refill(star, cells);
-  this->Mesh.tds().delete_vertex(this->Vertices[vertex]);
-  this->Vertices[vertex] = Vertex();
-  this->Free.push_back(vertex);
+  this->DeleteVertex(vertex);
   for (const Subdivision::Part& part : made)
   {
     this->GivePart(part.Corners, part.Parent);

@@ -90,19 +90,39 @@ void Subdivision::Make(const Triangle& corners, int parent, Change& change)
   change.Made.push_back(part);
 }
 
+void Subdivision::MoveCorner(int part, int from, int to)
+{
+  Triangle& corners = this->Parts[part].Corners;
+  const auto corner = std::find(corners.begin(), corners.end(), from);
+  for (const int other : corners)
+  {
+    if (other != from)
+    {
+      this->DropFromEdge(part, from, other);
+      this->PartsOfEdge[EdgeKey(to, other)].push_back(part);
+    }
+  }
+  *corner = to;
+}
+
+void Subdivision::DropFromEdge(int part, int a, int b)
+{
+  EdgeMap& partsOfEdge = this->GetPartsOfEdge();
+  const auto edge = partsOfEdge.find(EdgeKey(a, b));
+  std::vector<int>& parts = edge->second;
+  parts.erase(std::find(parts.begin(), parts.end(), part));
+  if (parts.empty())
+  {
+    partsOfEdge.erase(edge);
+  }
+}
+
 void Subdivision::Remove(int part, Change& change)
 {
   const Triangle& corners = this->Parts[part].Corners;
-  EdgeMap& partsOfEdge = this->GetPartsOfEdge();
   for (int i = 0; i < 3; ++i)
   {
-    const auto edge = partsOfEdge.find(EdgeKey(corners[i], corners[(i + 1) % 3]));
-    std::vector<int>& parts = edge->second;
-    parts.erase(std::find(parts.begin(), parts.end(), part));
-    if (parts.empty())
-    {
-      partsOfEdge.erase(edge);
-    }
+    this->DropFromEdge(part, corners[i], corners[(i + 1) % 3]);
   }
   this->Parts[part].Parent = -1;
   change.Gone.push_back(part);

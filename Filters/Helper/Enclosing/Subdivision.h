@@ -61,6 +61,9 @@ public:
   /** Splits all parts that share an edge, if there are any, into two each. */
   void SplitEdge(int a, int b, int vertex, Change& change);
 
+  /** Puts another vertex in the place of a corner of a part. */
+  void MoveCorner(int part, int from, int to);
+
   /** Removes a part. */
   void Take(int part);
 
@@ -87,6 +90,7 @@ private:
   EdgeMap& GetPartsOfEdge();
   void Make(const Triangle& corners, int parent, Change& change);
   void Remove(int part, Change& change);
+  void DropFromEdge(int part, int a, int b);
 
   std::vector<Point> Points;
   std::vector<Part> Parts;

@@ -106,9 +106,13 @@ void PushNeighborhood(PiercedMesh& mesh, int vertex, std::vector<Cell>& cells)
 
 } // namespace
 
-void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
+std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
   std::size_t maximumPoints, const std::function<bool(double)>& progress)
 {
+  if (maximumPoints == 0)
+  {
+    return 0;
+  }
   std::vector<Cell> changed;
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
@@ -139,7 +143,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
     {
       if (added == maximumPoints)
       {
-        return;
+        return added;
       }
       int vertex = SplitNearMiddle(mesh, FindTerminalEdge(mesh, edge));
       if (vertex < 0)
@@ -154,7 +158,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
     }
     if (made.empty())
     {
-      return;
+      return added;
     }
     changed.clear();
     mesh.BeginWalk();
@@ -171,6 +175,7 @@ void HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolera
       PushNeighborhood(mesh, vertex, changed);
     }
   }
+  return added;
 }
 
 } // namespace carving::helper

@@ -123,16 +123,16 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
     }
-    // Further points take most of the surface much closer than it has to be. Their number grows with
-    // the time that cutting has left, and is bounded by the size of the mesh.
-    constexpr double closer = 0.1;
+    HalveKept(mesh, distance, bound, most, PartOf(progress, 0.7, 0.8));
+    // Further points take the surface much closer than it has to be: to a quarter, and then to a
+    // tenth. Their number grows with the time that cutting has left, and is bounded by the size of
+    // the mesh.
     constexpr std::size_t cutsPerPoint = 8; // in the same time
     const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
     const std::size_t count = input.Points.size();
-    const std::size_t mostCloser = count / 10 + 10000 + std::min(spare, 40 * count);
-    HalveKept(
-      mesh, distance, closer * bound, std::min(mostCloser, most), PartOf(progress, 0.7, 0.8));
-    HalveKept(mesh, distance, bound, most, PartOf(progress, 0.8, 0.9));
+    std::size_t left = std::min(count / 10 + 10000 + std::min(20000 + spare, 40 * count), most);
+    left -= HalveKept(mesh, distance, 0.25 * bound, left, PartOf(progress, 0.8, 0.85));
+    HalveKept(mesh, distance, 0.1 * bound, left, PartOf(progress, 0.85, 0.9));
   }
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);
   result = {};

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <iterator>
 #include <numeric>
 
 namespace carving::helper
@@ -96,6 +97,48 @@ double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
     std::accumulate(all.begin(), all.end(), 0.0);
 }
 
+/**
+ * Keeps a small tetrahedron at every vertex of M that is a corner of no part: cutting may leave out
+ * the tip of a triangle whose sides both go through a vertex very close to it.
+ */
+void KeepBareVertices(PiercedMesh& mesh, const ResolvedMesh& input)
+{
+  const auto& parts = mesh.GetParts().GetParts();
+  std::vector<char> isCorner(input.Points.size(), 0);
+  std::vector<int> partOf(input.Facets.size(), -1);
+  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
+  {
+    const auto& [corners, parent] = parts[part];
+    for (const int corner : corners)
+    {
+      if (parent >= 0 && corner < static_cast<int>(isCorner.size()))
+      {
+        isCorner[corner] = 1;
+      }
+    }
+    if (parent >= 0)
+    {
+      partOf[parent] = part;
+    }
+  }
+  for (std::size_t t = 0; t < input.Facets.size(); ++t)
+  {
+    for (const int corner : input.Facets[t])
+    {
+      if (isCorner[corner] || partOf[t] < 0)
+      {
+        continue;
+      }
+      isCorner[corner] = 1;
+      std::vector<Cell> star;
+      mesh.GetDelaunay().finite_incident_cells(mesh.GetVertex(corner), std::back_inserter(star));
+      const Cell smallest = *std::min_element(star.begin(), star.end(),
+        [](const Cell& a, const Cell& b) { return LongestEdge(a) < LongestEdge(b); });
+      smallest->info().Add({ partOf[t], { true, -1 } });
+    }
+  }
+}
+
 } // namespace
 
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
@@ -134,6 +177,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     left -= HalveKept(mesh, distance, 0.25 * bound, left, PartOf(progress, 0.8, 0.85));
     HalveKept(mesh, distance, 0.1 * bound, left, PartOf(progress, 0.85, 0.9));
   }
+  KeepBareVertices(mesh, input);
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);
   result = {};
   result.Surface.PointSources = input.PointSources;

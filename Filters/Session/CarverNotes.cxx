@@ -54,8 +54,7 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
     std::ostringstream text;
     text << "The mesh is only enclosed: " << 100.0 * reply.MetShare
          << " % of its area is met. Its other triangles lie on faces with other edges, which may "
-            "reach "
-            "beyond them.";
+            "reach beyond them.";
     notes.push_back(text.str());
   }
   if (kept > 0)

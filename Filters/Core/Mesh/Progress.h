@@ -20,8 +20,8 @@ inline bool GoOn(const Progress& progress, double fraction)
 }
 
 /**
- * The progress of a part of a computation, which lasts from the fraction `begin` to `end`. Holds a
- * reference.
+ * The progress of a part of a computation. The part lasts from the fraction `begin` to `end` of the
+ * whole. The result refers to `progress`, which has to outlive it.
  */
 inline Progress PartOf(const Progress& progress, double begin, double end)
 {

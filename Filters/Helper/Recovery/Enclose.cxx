@@ -25,7 +25,7 @@ namespace
 
 using Cell = PiercedMesh::Cell;
 
-/** Changes that cutting may try: they take ten to twenty seconds. */
+/** Changes that cutting may try: they take about ten seconds. */
 constexpr std::size_t MaximumCuts = 1200000;
 
 /** Adds the faces on which parts of M lie. */

@@ -14,7 +14,7 @@
 namespace carving::helper
 {
 
-/** Of cavities that are worth a search, for its time grows fast with them. */
+/** Larger cavities are not searched: the time of a search grows fast with the vertices. */
 constexpr std::size_t MaximumCavityVertices = 48;
 
 /** A part of space that has been emptied, to be filled with tetrahedra between its points. */

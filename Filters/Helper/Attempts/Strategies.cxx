@@ -167,8 +167,8 @@ bool StrategyRun::TryEnclosing()
     return !hasBegun || this->Host.Report(fraction);
   };
   report(0.0);
-  const Enclosure enclosure =
-    Enclose(input, further, this->TheJob.EnclosingTolerance, report, this->TheReply.Result);
+  const Enclosure enclosure = Enclose(input, further, this->TheJob.EnclosingTolerance,
+    this->TheJob.Processes, report, this->TheReply.Result);
   this->Enclosing.Await(HUGE_VAL);
   report(1.0);
   this->TheReply.SolidMatters = this->TheJob.Conformity != Conformity::Enclosing;

@@ -107,7 +107,7 @@ void PushNeighborhood(PiercedMesh& mesh, int vertex, std::vector<Cell>& cells)
 } // namespace
 
 std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double tolerance,
-  std::size_t maximumPoints, const std::function<bool(double)>& progress)
+  std::size_t maximumPoints, int threads, const std::function<bool(double)>& progress)
 {
   if (maximumPoints == 0)
   {
@@ -123,16 +123,9 @@ std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double
   while (!changed.empty())
   {
     progress(static_cast<double>(added) / static_cast<double>(maximumPoints));
-    std::vector<Measured> edges;
-    std::vector<Cell> far;
-    for (const Cell& cell : changed)
-    {
-      if (ReachesTooFar(mesh, cell, distance, tolerance))
-      {
-        edges.push_back(FindLongestEdge(cell));
-        far.push_back(cell);
-      }
-    }
+    const std::vector<Cell> far = FindFar(mesh, changed, distance, tolerance, threads);
+    std::vector<Measured> edges(far.size());
+    std::transform(far.begin(), far.end(), edges.begin(), FindLongestEdge);
     std::sort(
       edges.begin(), edges.end(), [](const Measured& a, const Measured& b) { return b < a; });
     edges.erase(std::unique(edges.begin(), edges.end(),

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/FaceDistance.h"
+#include "Core/Mesh/ForEach.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -19,11 +20,10 @@ using Cell = PiercedMesh::Cell;
 using Corners = SurfaceDistance::Corners;
 
 /**
- * The distances of points from M. Each point stands for the same share of the area of all faces
- * (systematic sampling), so that millions of small faces take no longer than a few large ones.
+ * Points on faces. Each stands for the same share of the area of all faces (systematic sampling), so
+ * that millions of small faces take no longer than a few large ones.
  */
-std::vector<double> SampleDistances(
-  const std::vector<Corners>& faces, const SurfaceDistance& distance, double spacing)
+std::vector<Point> Sample(const std::vector<Corners>& faces, double spacing)
 {
   constexpr std::size_t count = 50000;
   double area = 0.0;
@@ -32,7 +32,7 @@ std::vector<double> SampleDistances(
     area += Size(face);
   }
   const double step = area / count;
-  std::vector<double> samples;
+  std::vector<Point> samples;
   double next = step / 2.0, passed = 0.0;
   std::vector<Corners> pieces;
   for (const Corners& face : faces)
@@ -52,11 +52,9 @@ std::vector<double> SampleDistances(
       passed += Size(piece);
       if (step > 0.0 && next <= passed)
       {
-        const Point centroid = (piece[0] + piece[1] + piece[2]) / 3.0;
-        const double sample = distance.Farthest({ centroid, centroid, centroid }, 0.0);
         for (; next <= passed && samples.size() < count; next += step)
         {
-          samples.push_back(sample);
+          samples.push_back((piece[0] + piece[1] + piece[2]) / 3.0);
         }
       }
     }
@@ -75,6 +73,45 @@ double FindPercentile(std::vector<double> values, double share)
     static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(values.size())) - 1.0);
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[rank];
+}
+
+/** A number that does not depend on the threads, so that the results do not either. */
+constexpr int NumberOfRanges = 32;
+
+/** Calls `work(range, first, last, distance)` for ranges of indices below `count`. */
+template <class Work>
+void ForEachRange(int threads, std::size_t count, const SurfaceDistance& distance, const Work& work)
+{
+  ForEach(threads, NumberOfRanges,
+    [&](std::size_t range)
+    {
+      SurfaceDistance own = distance;
+      work(range, count * range / NumberOfRanges, count * (range + 1) / NumberOfRanges, own);
+    });
+}
+
+/**
+ * Whether a cell is pierced and has an exposed face that is not within `tolerance` of M. Faces that
+ * are within it are remembered.
+ */
+bool ReachesTooFar(
+  const PiercedMesh& mesh, const Cell& cell, SurfaceDistance& distance, double tolerance)
+{
+  CellContacts& info = cell->info();
+  for (int f = 0; f < 4 && info.IsPierced(); ++f)
+  {
+    if (info.Near[f] || !IsExposed(mesh, cell, f))
+    {
+      continue;
+    }
+    info.Near[f] =
+      LongestEdge(cell) <= tolerance || distance.IsWithin(FacePoints(cell, f), tolerance);
+    if (!info.Near[f])
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 double FindMean(const std::vector<double>& values)
@@ -112,28 +149,31 @@ bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f)
   return mesh.GetDelaunay().is_infinite(other) || !other->info().IsPierced();
 }
 
-bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
-  const SurfaceDistance& distance, double tolerance)
+std::vector<Cell> FindFar(const PiercedMesh& mesh, const std::vector<Cell>& cells,
+  const SurfaceDistance& distance, double tolerance, int threads)
 {
-  CellContacts& info = cell->info();
-  for (int f = 0; f < 4 && info.IsPierced(); ++f)
+  std::vector<char> isFar(cells.size());
+  ForEachRange(threads, cells.size(), distance,
+    [&](std::size_t, std::size_t first, std::size_t last, SurfaceDistance& own)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        isFar[i] = ReachesTooFar(mesh, cells[i], own, tolerance);
+      }
+    });
+  std::vector<Cell> far;
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    if (info.Near[f] || !IsExposed(mesh, cell, f))
+    if (isFar[i])
     {
-      continue;
-    }
-    info.Near[f] =
-      LongestEdge(cell) <= tolerance || distance.IsWithin(FacePoints(cell, f), tolerance);
-    if (!info.Near[f])
-    {
-      return true;
+      far.push_back(cells[i]);
     }
   }
-  return false;
+  return far;
 }
 
-KeptDistances MeasureKept(
-  const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible, double length)
+KeptDistances MeasureKept(const PiercedMesh& mesh, const SurfaceDistance& distance,
+  double negligible, double length, int threads)
 {
   constexpr double spacing = 0.01;
   std::vector<Corners> faces, bare; // all that are exposed, and those on which no part of M lies
@@ -154,16 +194,30 @@ KeptDistances MeasureKept(
       }
     }
   }
-  const std::vector<double> samples = SampleDistances(bare, distance, spacing * length);
-  double maximum = samples.empty() ? 0.0 : *std::max_element(samples.begin(), samples.end());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    if (lengths[i] > maximum)
+  const std::vector<Point> points = Sample(bare, spacing * length);
+  std::vector<double> samples(points.size());
+  ForEachRange(threads, points.size(), distance,
+    [&](std::size_t, std::size_t first, std::size_t last, SurfaceDistance& own)
     {
-      maximum = distance.Farthest(faces[i], std::max(maximum, negligible));
-    }
-  }
-  return { maximum, FindPercentile(samples, 0.99), FindMean(samples) };
+      std::transform(points.begin() + first, points.begin() + last, samples.begin() + first,
+        [&own](const Point& point) { return own.Distance(point); });
+    });
+  const double sampled = samples.empty() ? 0.0 : *std::max_element(samples.begin(), samples.end());
+  std::vector<double> maxima(NumberOfRanges, sampled);
+  ForEachRange(threads, faces.size(), distance,
+    [&](std::size_t range, std::size_t first, std::size_t last, SurfaceDistance& own)
+    {
+      double& maximum = maxima[range];
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (lengths[i] > maximum)
+        {
+          maximum = own.Farthest(faces[i], std::max(maximum, negligible));
+        }
+      }
+    });
+  return { *std::max_element(maxima.begin(), maxima.end()), FindPercentile(samples, 0.99),
+    FindMean(samples) };
 }
 
 } // namespace carving::helper

@@ -10,6 +10,8 @@
 #include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Enclosing/SurfaceDistance.h"
 
+#include <vector>
+
 namespace carving::helper
 {
 
@@ -23,18 +25,19 @@ double LongestEdge(const PiercedMesh::Cell& cell);
 bool IsExposed(const PiercedMesh& mesh, const PiercedMesh::Cell& cell, int f);
 
 /**
- * Whether a cell is pierced and has an exposed face that is not within `tolerance` of M. Faces that
- * are within it are remembered.
+ * The pierced ones of some cells that have an exposed face that is not within `tolerance` of M.
+ * Faces that are within it are remembered.
  */
-bool ReachesTooFar(const PiercedMesh& mesh, const PiercedMesh::Cell& cell,
-  const SurfaceDistance& distance, double tolerance);
+std::vector<PiercedMesh::Cell> FindFar(const PiercedMesh& mesh,
+  const std::vector<PiercedMesh::Cell>& cells, const SurfaceDistance& distance, double tolerance,
+  int threads);
 
 /**
  * The maximum is found by search, the others from samples that are a hundredth of `length` apart.
  * Faces that are parts of M are left out.
  */
-KeptDistances MeasureKept(
-  const PiercedMesh& mesh, const SurfaceDistance& distance, double negligible, double length);
+KeptDistances MeasureKept(const PiercedMesh& mesh, const SurfaceDistance& distance,
+  double negligible, double length, int threads);
 
 } // namespace carving::helper
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/Pierce.h"
 
-#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Filtered_predicate.h>
-#include <CGAL/MP_Float.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <tuple>
 
@@ -27,10 +24,8 @@ struct SideAlongEdges
   }
 };
 // The side takes no division, so that a ring is enough: faster than CGAL's rational numbers.
-using Ring = CGAL::Simple_cartesian<CGAL::MP_Float>;
-using FilteredSideAlongEdges =
-  CGAL::Filtered_predicate<SideAlongEdges<Ring>, SideAlongEdges<Inexact::Approximate_kernel>,
-    CGAL::Cartesian_converter<Inexact, Ring>, Inexact::C2F>;
+using FilteredSideAlongEdges = CGAL::Filtered_predicate<SideAlongEdges<Inexact::Exact_kernel_rt>,
+  SideAlongEdges<Inexact::Approximate_kernel>, Inexact::C2E_rt, Inexact::C2F>;
 
 /**
  * The side of a plane through three points. Equal points are frequent and need no exact arithmetic.

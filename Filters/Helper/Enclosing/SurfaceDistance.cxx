@@ -60,20 +60,52 @@ void PushQuarters(const Corners& t, std::vector<Corners>& stack)
 
 } // namespace
 
-struct SurfaceDistance::Tree
+/** The triangles of M in a tree. */
+class SurfaceDistance::Tree
 {
+public:
+  explicit Tree(const ResolvedMesh& surface)
+  {
+    for (const auto& [a, b, c] : surface.Facets)
+    {
+      this->All.emplace_back(
+        ToKernel(surface.Points[a]), ToKernel(surface.Points[b]), ToKernel(surface.Points[c]));
+    }
+    this->Boxes.rebuild(this->All.cbegin(), this->All.cend());
+    this->Boxes.build(); // now, not at the first question, which a thread asks
+  }
+
+  double SquaredDistance(const Point& point, int triangle) const
+  {
+    return CGAL::squared_distance(ToKernel(point), this->All[triangle]);
+  }
+
+  /** Any triangle within a distance of a point; -1: none. */
+  int FindWithin(const Point& point, double distance) const
+  {
+    return this->Find(point, { distance * distance, false });
+  }
+
+  /** The closest triangle, if one is closer than a given one, or else the given one. */
+  int FindClosest(const Point& point, int given) const
+  {
+    const int found = this->Find(point, { this->SquaredDistance(point, given), true });
+    return found < 0 ? given : found;
+  }
+
+private:
   using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 
   /** Searches for a triangle within a distance of a point: for any triangle, or for the closest. */
   struct Search
   {
     double SquaredDistance;
-    bool ForNearest;
+    bool ForClosest;
     const Kernel::Triangle_3* Found = nullptr;
 
     bool go_further() const
     {
-      return this->ForNearest || this->Found == nullptr;
+      return this->ForClosest || this->Found == nullptr;
     }
     void intersection(const Kernel::Point_3& p, const Primitive& primitive)
     {
@@ -82,7 +114,7 @@ struct SurfaceDistance::Tree
       if (squared <= this->SquaredDistance)
       {
         this->Found = &triangle;
-        this->SquaredDistance = this->ForNearest ? squared : this->SquaredDistance;
+        this->SquaredDistance = this->ForClosest ? squared : this->SquaredDistance;
       }
     }
     bool do_intersect(const Kernel::Point_3& p, const CGAL::AABB_node<Traits>& node) const
@@ -98,67 +130,58 @@ struct SurfaceDistance::Tree
     }
   };
 
+  int Find(const Point& point, Search search) const
+  {
+    this->Boxes.traversal(ToKernel(point), search);
+    return search.Found ? static_cast<int>(search.Found - this->All.data()) : -1;
+  }
+
   Triangles All;
   CGAL::AABB_tree<Traits> Boxes;
-  const Kernel::Triangle_3* Last = nullptr; ///< found last; often close to the next point, too
-
-  bool HasWithin(const Point& point, double distance)
-  {
-    const Kernel::Point_3 p = ToKernel(point);
-    if (distance <= 0.0)
-    {
-      return false;
-    }
-    if (CGAL::squared_distance(p, *this->Last) <= distance * distance)
-    {
-      return true;
-    }
-    Search search = { distance * distance, false };
-    this->Boxes.traversal(p, search);
-    this->Last = search.Found ? search.Found : this->Last;
-    return search.Found != nullptr;
-  }
-
-  double Distance(const Point& point)
-  {
-    const Kernel::Point_3 p = ToKernel(point);
-    Search search = { CGAL::squared_distance(p, *this->Last), true };
-    this->Boxes.traversal(p, search);
-    this->Last = search.Found ? search.Found : this->Last;
-    return std::sqrt(search.SquaredDistance);
-  }
-
-  /**
-   * Whether all of `t` is within a distance of the triangle found last. The points within the
-   * distance are a convex set, so the corners of `t` decide.
-   */
-  bool LastHasWithin(const Corners& t, double distance) const
-  {
-    return std::all_of(t.begin(), t.end(),
-      [&](const Point& p)
-      { return CGAL::squared_distance(ToKernel(p), *this->Last) <= distance * distance; });
-  }
 };
 
 SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
-  : Locator(std::make_unique<Tree>())
+  : Surface(std::make_shared<const Tree>(surface))
 {
-  for (const auto& [a, b, c] : surface.Facets)
-  {
-    this->Locator->All.emplace_back(
-      ToKernel(surface.Points[a]), ToKernel(surface.Points[b]), ToKernel(surface.Points[c]));
-  }
-  this->Locator->Last = &this->Locator->All.front();
-  this->Locator->Boxes.rebuild(this->Locator->All.cbegin(), this->Locator->All.cend());
 }
 
-SurfaceDistance::~SurfaceDistance() = default;
+bool SurfaceDistance::HasWithin(const Point& point, double distance)
+{
+  if (distance <= 0.0)
+  {
+    return false;
+  }
+  if (this->Surface->SquaredDistance(point, this->Last) <= distance * distance)
+  {
+    return true;
+  }
+  const int found = this->Surface->FindWithin(point, distance);
+  this->Last = found < 0 ? this->Last : found;
+  return found >= 0;
+}
+
+double SurfaceDistance::Distance(const Point& point)
+{
+  this->Last = this->Surface->FindClosest(point, this->Last);
+  return std::sqrt(this->Surface->SquaredDistance(point, this->Last));
+}
+
+/**
+ * Whether all of a triangle is within a distance of the triangle of M found last. The points within
+ * the distance are a convex set, so the corners decide.
+ */
+bool SurfaceDistance::LastHasWithin(const Corners& triangle, double distance) const
+{
+  return std::all_of(triangle.begin(), triangle.end(),
+    [&](const Point& p)
+    { return this->Surface->SquaredDistance(p, this->Last) <= distance * distance; });
+}
 
 // The distance from M changes by no more than the distance between two points, so its value at the
 // centroid of a triangle bounds it on the whole triangle. Where the bound is too weak, the triangle
 // is quartered.
 
-bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
+bool SurfaceDistance::IsWithin(const Corners& triangle, double distance)
 {
   std::vector<Corners> stack = { triangle };
   while (!stack.empty())
@@ -167,12 +190,12 @@ bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
     stack.pop_back();
     const Point centroid = Centroid(t);
     const double radius = RadiusAround(centroid, t);
-    if (!this->Locator->HasWithin(centroid, distance))
+    if (!this->HasWithin(centroid, distance))
     {
       return false;
     }
-    if (radius > Accuracy * distance && !this->Locator->LastHasWithin(t, distance) &&
-      !this->Locator->HasWithin(centroid, distance - radius))
+    if (radius > Accuracy * distance && !this->LastHasWithin(t, distance) &&
+      !this->HasWithin(centroid, distance - radius))
     {
       PushQuarters(t, stack);
     }
@@ -180,7 +203,7 @@ bool SurfaceDistance::IsWithin(const Corners& triangle, double distance) const
   return true;
 }
 
-double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
+double SurfaceDistance::Farthest(const Corners& triangle, double atLeast)
 {
   double farthest = atLeast;
   std::vector<Corners> stack = { triangle };
@@ -190,15 +213,15 @@ double SurfaceDistance::Farthest(const Corners& triangle, double atLeast) const
     stack.pop_back();
     const Point centroid = Centroid(t);
     const double radius = RadiusAround(centroid, t);
-    if (this->Locator->LastHasWithin(t, (1.0 + Accuracy) * farthest) ||
-      this->Locator->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
+    if (this->LastHasWithin(t, (1.0 + Accuracy) * farthest) ||
+      this->HasWithin(centroid, (1.0 + Accuracy) * farthest - radius))
     {
       continue; // cheaper than the search for the closest triangle
     }
-    const double distance = this->Locator->Distance(centroid);
+    const double distance = this->Distance(centroid);
     farthest = std::max(farthest, distance);
     const double limit = (1.0 + Accuracy) * farthest;
-    if (distance + radius > limit && !this->Locator->LastHasWithin(t, limit))
+    if (distance + radius > limit && !this->LastHasWithin(t, limit))
     {
       PushQuarters(t, stack);
     }

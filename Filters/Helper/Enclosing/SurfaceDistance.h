@@ -17,31 +17,40 @@
 namespace carving::helper
 {
 
-/** Not for use by several threads: answers start from the triangle of M that the last one found. */
+/**
+ * Each thread needs a copy: an answer starts from the triangle of M that the last one found. Copies
+ * share the tree.
+ */
 class SurfaceDistance
 {
 public:
   /** The surface must have a facet. It is copied. */
   explicit SurfaceDistance(const ResolvedMesh& surface);
-  ~SurfaceDistance();
 
   using Corners = std::array<Point, 3>;
 
   /**
    * Whether every point of a triangle is within `distance` of M, where the distance is exact to 5
-   * %.
+   * %. The answer does not depend on earlier ones.
    */
-  bool IsWithin(const Corners& triangle, double distance) const;
+  bool IsWithin(const Corners& triangle, double distance);
+
+  /** The distance of a point from M. */
+  double Distance(const Point& point);
 
   /**
    * The distance from M of the farthest point of a triangle, to within 5 %, but no less than
    * `atLeast`.
    */
-  double Farthest(const Corners& triangle, double atLeast) const;
+  double Farthest(const Corners& triangle, double atLeast);
 
 private:
-  struct Tree;
-  std::unique_ptr<Tree> Locator;
+  class Tree;
+  bool HasWithin(const Point& point, double distance);
+  bool LastHasWithin(const Corners& triangle, double distance) const;
+
+  std::shared_ptr<const Tree> Surface;
+  int Last = 0; ///< the triangle found last; often close to the next point, too
 };
 
 } // namespace carving::helper

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <future>
 #include <iterator>
 #include <numeric>
 
@@ -142,7 +143,7 @@ void KeepBareVertices(PiercedMesh& mesh, const ResolvedMesh& input)
 } // namespace
 
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
-  const std::function<bool(double)>& progress, Tetrahedralization& result)
+  int threads, const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
   const double length = Diagonal(input.Points);
   const SurfaceDistance distance(input);
@@ -150,9 +151,13 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   constexpr double accuracy = 1.05; // distances are exact to within this factor
   const double bound = tolerance * length / accuracy;
   const bool mayAddPoints = tolerance > 0.0;
-  PiercedMesh mesh(input, further, PartOf(progress, 0.0, 0.1));
   // Where triangles cross each other, recovery meets few of them.
-  const bool crosses = mayAddPoints && CrossesItselfOften(input);
+  const auto policy =
+    threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  std::future<bool> crossing =
+    std::async(policy, [&] { return mayAddPoints && CrossesItselfOften(input); });
+  PiercedMesh mesh(input, further, PartOf(progress, 0.0, 0.1));
+  const bool crosses = crossing.get();
   // Cutting takes less time than more steps would, but not where many triangles cross each other.
   const std::ptrdiff_t stepsPerFacet = crosses ? 100 : 30;
   const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
@@ -166,7 +171,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
     }
-    HalveKept(mesh, distance, bound, most, PartOf(progress, 0.7, 0.8));
+    HalveKept(mesh, distance, bound, most, threads, PartOf(progress, 0.7, 0.8));
     // Further points take the surface much closer than it has to be: to a quarter, and then to a
     // tenth. Their number grows with the time that cutting has left, and is bounded by the size of
     // the mesh.
@@ -174,11 +179,11 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
     const std::size_t count = input.Points.size();
     std::size_t left = std::min(count / 10 + 10000 + std::min(20000 + spare, 40 * count), most);
-    left -= HalveKept(mesh, distance, 0.25 * bound, left, PartOf(progress, 0.8, 0.85));
-    HalveKept(mesh, distance, 0.1 * bound, left, PartOf(progress, 0.85, 0.9));
+    left -= HalveKept(mesh, distance, 0.25 * bound, left, threads, PartOf(progress, 0.8, 0.85));
+    HalveKept(mesh, distance, 0.1 * bound, left, threads, PartOf(progress, 0.85, 0.9));
   }
   KeepBareVertices(mesh, input);
-  const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length);
+  const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length, threads);
   result = {};
   result.Surface.PointSources = input.PointSources;
   WriteCells(mesh, result);

@@ -30,11 +30,11 @@ struct Enclosure
  * box: points are added until no kept tetrahedron reaches farther from M, or until there are too
  * many points. With 0, none are added on M.
  *
- * In the result, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
+ * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
  * of M in an area, as parts of M, `Unresolved` is the input, and `MetShares` is there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
-  const std::function<bool(double)>& progress, Tetrahedralization& result);
+  int threads, const std::function<bool(double)>& progress, Tetrahedralization& result);
 
 } // namespace carving::helper
 

@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/Pierce.h"
 
-#include <CGAL/Filtered_predicate.h>
-
 #include <tuple>
 
 namespace carving::helper
 {
 namespace
 {
-
-/** The side of the plane through p and q, parallel to ab, on which x lies. */
-template <class Kernel>
-struct SideAlongEdges
-{
-  using result_type = CGAL::Orientation;
-  using Point = typename Kernel::Point_3;
-
-  result_type operator()(
-    const Point& p, const Point& q, const Point& a, const Point& b, const Point& x) const
-  {
-    return CGAL::orientation(q - p, b - a, x - p);
-  }
-};
-// The side takes no division, so that a ring is enough: faster than CGAL's rational numbers.
-using FilteredSideAlongEdges = CGAL::Filtered_predicate<SideAlongEdges<Inexact::Exact_kernel_rt>,
-  SideAlongEdges<Inexact::Approximate_kernel>, Inexact::C2E_rt, Inexact::C2F>;
 
 /**
  * The side of a plane through three points. Equal points are frequent and need no exact arithmetic.
@@ -56,143 +37,6 @@ bool FaceSeparates(const Corners3& t, const Corners4& k)
     if (outside)
     {
       return true;
-    }
-  }
-  return false;
-}
-
-/** For each corner of a triangle, the equal corner of a tetrahedron; -1: none. */
-std::array<int, 3> FindCommonCorners(const Corners3& t, const Corners4& k)
-{
-  std::array<int, 3> common;
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto found = std::find(k.begin(), k.end(), t[i]);
-    common[i] = found == k.end() ? -1 : static_cast<int>(found - k.begin());
-  }
-  return common;
-}
-
-/** A triangle and a tetrahedron, seen from one edge of the tetrahedron. */
-struct EdgeView
-{
-  const Corners3& T;
-  const Corners4& K;
-  std::array<int, 3> Common; ///< corners of both
-  int P, Q;                  ///< the ends of the edge
-  std::array<int, 2> Others; ///< the other corners of the tetrahedron
-  Difference Along;          ///< from P to Q
-  std::array<Difference, 2> ToOthers;
-
-  EdgeView(const Corners3& t, const Corners4& k, const std::array<int, 3>& common, int p, int q)
-    : T(t)
-    , K(k)
-    , Common(common)
-    , P(p)
-    , Q(q)
-    , Others(OtherCorners(p, q))
-    , Along(k[p], k[q])
-    , ToOthers{ Difference(k[p], k[this->Others[0]]), Difference(k[p], k[this->Others[1]]) }
-  {
-  }
-
-  /** Whether a corner of the triangle is an end of the edge. */
-  bool IsEnd(int corner) const
-  {
-    return this->Common[corner] == this->P || this->Common[corner] == this->Q;
-  }
-};
-
-/** The plane through an edge of a tetrahedron that is parallel to an edge of a triangle. */
-class EdgePlane
-{
-public:
-  /** The triangle's edge is from corner `a` to the next corner. */
-  EdgePlane(const EdgeView& view, int a, const Difference& ab)
-    : View(view)
-    , A(a)
-    , B((a + 1) % 3)
-    , Filter(view.Along, ab)
-  {
-  }
-
-  /**
-   * Whether the tetrahedron is on one side and the triangle on the other; both may touch the plane.
-   */
-  bool Separates() const
-  {
-    const int side = this->SideOfTetrahedron();
-    // Corners A and B are on the same side, as their edge is parallel to the plane.
-    return side != 0 && (this->View.IsEnd(this->B) || this->IsBeyond(this->A, side)) &&
-      this->IsBeyond((this->A + 2) % 3, side);
-  }
-
-private:
-  CGAL::Orientation SideOf(const Inexact::Point_3& x, const Difference& toX) const
-  {
-    const auto& [t, k] = std::tie(this->View.T, this->View.K);
-    CGAL::Orientation side;
-    return this->Filter.FindSide(toX, side)
-      ? side
-      : FilteredSideAlongEdges()(k[this->View.P], k[this->View.Q], t[this->A], t[this->B], x);
-  }
-
-  /** The side of one of the other two corners of the tetrahedron. */
-  int SideOfOther(int n) const
-  {
-    // If A and B are corners of the face of the edge and this corner, that face lies in the plane.
-    const auto isOnFace = [&](int corner) {
-      return this->View.Common[corner] >= 0 &&
-        this->View.Common[corner] != this->View.Others[1 - n];
-    };
-    return isOnFace(this->A) && isOnFace(this->B)
-      ? CGAL::ZERO
-      : this->SideOf(this->View.K[this->View.Others[n]], this->View.ToOthers[n]);
-  }
-
-  /** 0 if the plane cuts the tetrahedron, or if the edges are parallel. */
-  int SideOfTetrahedron() const
-  {
-    const int first = this->SideOfOther(0), second = this->SideOfOther(1);
-    return first * second < 0 ? 0 : first != 0 ? first : second;
-  }
-
-  /**
-   * Whether a corner of the triangle is in the plane or on the side opposite to the tetrahedron.
-   */
-  bool IsBeyond(int corner, int side) const
-  {
-    const Inexact::Point_3& x = this->View.T[corner];
-    return this->View.IsEnd(corner) ||
-      side * this->SideOf(x, { this->View.K[this->View.P], x }) <= 0;
-  }
-
-  const EdgeView& View;
-  int A, B;
-  SpannedPlane Filter;
-};
-
-/**
- * Whether a plane through an edge of the tetrahedron, parallel to an edge of the triangle,
- * separates them.
- */
-bool EdgesSeparate(const Corners3& t, const Corners4& k)
-{
-  const std::array<int, 3> common = FindCommonCorners(t, k);
-  const std::array<Difference, 3> sides = { Difference(t[0], t[1]), Difference(t[1], t[2]),
-    Difference(t[2], t[0]) };
-  for (int p = 0; p < 3; ++p)
-  {
-    for (int q = p + 1; q < 4; ++q)
-    {
-      const EdgeView view(t, k, common, p, q);
-      for (int a = 0; a < 3; ++a)
-      {
-        if (EdgePlane(view, a, sides[a]).Separates())
-        {
-          return true;
-        }
-      }
     }
   }
   return false;
@@ -245,24 +89,42 @@ bool Piercer::MeetsBox(const Corners4& k) const
   return true;
 }
 
-/**
- * Whether an edge of the tetrahedron crosses the inside of the triangle: most tetrahedra that a
- * large triangle pierces have such an edge, which tells faster than all planes that may separate.
- */
-bool Piercer::HasCrossingEdge(
-  const Corners4& k, const std::array<CGAL::Orientation, 4>& sides) const
+bool Piercer::MeetsInterior(const Corners4& k, const std::array<CGAL::Orientation, 4>& sides) const
 {
+  const Corners3& t = this->Corners;
+  std::array<bool, 3> separates = { true, true, true };
   for (int i = 0; i < 3; ++i)
   {
     for (int j = i + 1; j < 4; ++j)
     {
-      if (sides[i] * sides[j] < 0 && CrossesInside(k[i], k[j], this->Corners))
+      if (sides[i] * sides[j] >= 0)
+      {
+        continue;
+      }
+      const auto& [below, above] = sides[i] < 0 ? std::tie(k[i], k[j]) : std::tie(k[j], k[i]);
+      bool isInside = true;
+      for (int e = 0; e < 3; ++e)
+      {
+        const bool isLeft = CGAL::orientation(below, above, t[e], t[(e + 1) % 3]) == CGAL::POSITIVE;
+        separates[e] &= !isLeft;
+        isInside &= isLeft;
+      }
+      if (isInside)
       {
         return true;
       }
     }
   }
-  return false;
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int e = 0; e < 3 && sides[i] == CGAL::COPLANAR; ++e)
+    {
+      const auto &a = t[e], &b = t[(e + 1) % 3], &c = t[(e + 2) % 3];
+      separates[e] = separates[e] &&
+        (k[i] == a || k[i] == b || CGAL::coplanar_orientation(a, b, c, k[i]) != CGAL::POSITIVE);
+    }
+  }
+  return std::count(separates.begin(), separates.end(), true) == 0 && !FaceSeparates(t, k);
 }
 
 Contact Piercer::FindContact(const Corners4& k) const
@@ -284,8 +146,7 @@ Contact Piercer::FindContact(const Corners4& k) const
   }
   if (above > 0 && below > 0)
   {
-    contact.Pierces = this->HasCrossingEdge(k, sides) ||
-      (!FaceSeparates(this->Corners, k) && !EdgesSeparate(this->Corners, k));
+    contact.Pierces = this->MeetsInterior(k, sides);
   }
   else if (above + below == 1)
   {

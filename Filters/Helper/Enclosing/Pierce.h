@@ -90,12 +90,7 @@ class Piercer
 public:
   explicit Piercer(const Corners3& corners);
 
-  /**
-   * The contact with a positively oriented tetrahedron. The triangle misses the interior if and
-   * only if a plane separates the two, where touching the plane is allowed. It suffices to test the
-   * plane of the triangle, the planes of the tetrahedron's faces, and the planes through an edge of
-   * the tetrahedron that are parallel to an edge of the triangle.
-   */
+  /** The contact with a positively oriented tetrahedron. */
   Contact FindContact(const Corners4& tetrahedron) const;
 
   /** The side of the triangle's plane on which a point lies. */
@@ -103,7 +98,13 @@ public:
 
 private:
   bool MeetsBox(const Corners4& tetrahedron) const;
-  bool HasCrossingEdge(
+  /**
+   * Whether the triangle meets the interior of a tetrahedron that its plane cuts. The cut is a
+   * convex polygon, as the triangle is. Two of them have no interior point in common if and only if
+   * the line of an edge of one separates them, where touching the line is allowed. An edge of the
+   * cut is on the plane of a face; a corner is on an edge that crosses the plane, or on the plane.
+   */
+  bool MeetsInterior(
     const Corners4& tetrahedron, const std::array<CGAL::Orientation, 4>& sides) const;
 
   Corners3 Corners;

@@ -174,12 +174,17 @@ bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 void PiercedMesh::Settle(int part)
 {
   const Corners3 corners = this->CornersOf(part);
-  // A part that rounding leaves without area needs no contacts: its neighbors have them.
-  if (!this->SettleOnFace(part) && !CGAL::collinear(corners[0], corners[1], corners[2]))
+  if (this->SettleOnFace(part))
   {
-    const Piercer piercer(corners);
-    this->Walk(part, piercer, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
+    return;
   }
+  if (CGAL::collinear(corners[0], corners[1], corners[2]))
+  {
+    this->Parts.Take(part); // rounding leaves it without area: its neighbors are enough
+    return;
+  }
+  const Piercer piercer(corners);
+  this->Walk(part, piercer, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
 }
 
 std::vector<PiercedMesh::Cell> PiercedMesh::FindCells(int part)

@@ -161,9 +161,7 @@ PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
     place.Cells.push_back(cell);
     for (const PartContact& contact : cell->info().All)
     {
-      const Triangle& t = this->Parts.GetParts()[contact.Part].Corners;
-      const auto has = [&](int v) { return std::find(t.begin(), t.end(), v) != t.end(); };
-      if (has(a) && has(b))
+      if (this->Parts.HasEdge(contact.Part, a, b))
       {
         place.Parts.push_back(contact.Part);
       }
@@ -192,23 +190,26 @@ PiercedMesh::Place PiercedMesh::PlaceOnFace(const Cell& cell, int f, const Point
       }
     }
   }
-  std::sort(place.Parts.begin(), place.Parts.end());
-  place.Parts.erase(std::unique(place.Parts.begin(), place.Parts.end()), place.Parts.end());
   return place;
 }
 
 Subdivision::Change PiercedMesh::SplitParts(const Place& place, int vertex)
 {
+  std::vector<int> parts = place.Parts; // cells share some of them
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   Subdivision::Change change;
-  for (const auto& [a, b] : place.Edges)
+  for (const int part : parts)
   {
-    this->Parts.SplitEdge(a, b, vertex, change);
-  }
-  for (const int part : place.Parts)
-  {
-    if (place.Edges.empty())
+    const auto isOfPart = [&](const Edge& edge) { return this->Parts.HasEdge(part, edge[0], edge[1]); };
+    const auto edge = std::find_if(place.Edges.begin(), place.Edges.end(), isOfPart);
+    if (edge == place.Edges.end())
     {
       this->Parts.SplitPart(part, vertex, change);
+    }
+    else
+    {
+      this->Parts.SplitAtEdge(part, (*edge)[0], (*edge)[1], vertex, change);
     }
   }
   return change;

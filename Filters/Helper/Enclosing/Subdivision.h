@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace carving::helper
@@ -58,14 +57,17 @@ public:
   /** Splits a part into three. */
   void SplitPart(int part, int vertex, Change& change);
 
-  /** Splits all parts that share an edge, if there are any, into two each. */
-  void SplitEdge(int a, int b, int vertex, Change& change);
+  /** Splits a part into two at its edge from a to b, in any order. */
+  void SplitAtEdge(int part, int a, int b, int vertex, Change& change);
 
   /** Puts another vertex in the place of a corner of a part. */
   void MoveCorner(int part, int from, int to);
 
   /** Removes a part. */
-  void Take(int part);
+  void Take(int part)
+  {
+    this->Parts[part].Parent = -1;
+  }
 
   /** Adds a part of a triangle of M; returns its index. */
   int Give(const Triangle& corners, int parent);
@@ -78,6 +80,14 @@ public:
   {
     return this->Parts;
   }
+  /** Whether a part has an edge between two vertices. */
+  bool HasEdge(int part, int a, int b) const
+  {
+    const Triangle& corners = this->Parts[part].Corners;
+    const auto has = [&corners](int vertex)
+    { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
+    return has(a) && has(b);
+  }
   std::array<Point, 3> GetCorners(int part) const
   {
     const Triangle& c = this->Parts[part].Corners;
@@ -85,17 +95,10 @@ public:
   }
 
 private:
-  using EdgeMap = std::unordered_map<std::uint64_t, std::vector<int>>;
-
-  EdgeMap& GetPartsOfEdge();
-  void Make(const Triangle& corners, int parent, Change& change);
-  void Remove(int part, Change& change);
-  void DropFromEdge(int part, int a, int b);
+  void Replace(int part, const std::vector<Triangle>& pieces, Change& change);
 
   std::vector<Point> Points;
   std::vector<Part> Parts;
-  /** Filled when it is first needed: a mesh whose parts are not split does without. */
-  EdgeMap PartsOfEdge;
 };
 
 } // namespace carving::helper

@@ -68,6 +68,11 @@ public:
   {
     return this->Tolerance;
   }
+  /** A number for a patch, which no other has. */
+  unsigned CountPatch()
+  {
+    return ++this->NumberOfPatches;
+  }
   /** The number of changes that were tried. */
   std::size_t GetEffort() const
   {
@@ -94,6 +99,7 @@ private:
   PiercedMesh::EdgePredicate IsLink;
   std::vector<int> Added;
   bool IsRepaired = false;
+  unsigned NumberOfPatches = 0;
   std::size_t Effort = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace carving::helper
@@ -13,6 +14,7 @@ namespace carving::helper
 Patch::Patch(CutMesh& mesh, const Triangle& corners)
   : Mesh(mesh)
   , Corners(corners)
+  , Number(mesh.CountPatch())
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -21,7 +23,7 @@ Patch::Patch(CutMesh& mesh, const Triangle& corners)
   }
   for (const int vertex : this->Loop)
   {
-    this->Sides[vertex] = 0;
+    this->PutOnPlane(vertex);
   }
   this->RemoveSpurs();
   for (int i = 0; i < 3; ++i)
@@ -70,17 +72,23 @@ bool Patch::IsSimple() const
     std::set<int>(this->Loop.begin(), this->Loop.end()).size() == this->Loop.size();
 }
 
-int Patch::SideOf(int vertex)
+void Patch::PutOnPlane(int vertex)
 {
-  const auto [found, isNew] = this->Sides.try_emplace(vertex, 0);
-  if (isNew)
+  this->Mesh.GetMesh().GetVertex(vertex)->info().Side = { this->Number, 0 };
+}
+
+/** On which side of the plane a vertex is: 1, -1, or 0 if the vertex is on the plane. */
+int Patch::SideOf(const PiercedMesh::Vertex& v)
+{
+  auto& side = v->info().Side;
+  if (side.OfPatch != this->Number)
   {
     const double distance =
-      Dot(this->Normal, this->Mesh.PointOf(vertex) - this->Mesh.PointOf(this->Corners[0]));
+      Dot(this->Normal, ToPoint(v->point()) - this->Mesh.PointOf(this->Corners[0]));
     const double tolerance = this->Mesh.GetTolerance();
-    found->second = distance >= tolerance ? 1 : distance <= -tolerance ? -1 : 0;
+    side = { this->Number, distance >= tolerance ? 1 : distance <= -tolerance ? -1 : 0 };
   }
-  return found->second;
+  return side.Which;
 }
 
 /**
@@ -107,7 +115,7 @@ std::vector<Patch::Edge> Patch::FindCrossing()
     for (int i = 0; i < 4; ++i)
     {
       corners[i] = cell->vertex(i)->info().Index;
-      sides[i] = this->SideOf(corners[i]);
+      sides[i] = this->SideOf(cell->vertex(i));
     }
     bool isCut = false;
     for (int i = 0; i < 3; ++i)
@@ -171,7 +179,7 @@ bool Patch::CutEdges()
       {
         return false;
       }
-      this->Sides[vertex] = 0;
+      this->PutOnPlane(vertex);
     }
   }
   return isCut;
@@ -193,7 +201,7 @@ bool Patch::IsOnSide(const Cell& cell, int side)
   bool isOnSide = false;
   for (int i = 0; i < 4; ++i)
   {
-    const int corner = side * this->SideOf(cell->vertex(i)->info().Index);
+    const int corner = side * this->SideOf(cell->vertex(i));
     if (corner < 0)
     {
       return false;
@@ -209,7 +217,7 @@ bool Patch::IsFace(const Cell& cell, int f, int side)
   for (const int i : FaceCorners[f])
   {
     const PiercedMesh::Vertex v = cell->vertex(i);
-    if (this->Mesh.GetMesh().GetDelaunay().is_infinite(v) || this->SideOf(v->info().Index) != 0)
+    if (this->Mesh.GetMesh().GetDelaunay().is_infinite(v) || this->SideOf(v) != 0)
     {
       return false;
     }
@@ -331,7 +339,7 @@ std::vector<Patch::Cell> Patch::FindFlat()
   }
   for (const Cell& cell : cells)
   {
-    const auto isOnPlane = [&](int i) { return this->SideOf(cell->vertex(i)->info().Index) == 0; };
+    const auto isOnPlane = [&](int i) { return this->SideOf(cell->vertex(i)) == 0; };
     if (isOnPlane(0) && isOnPlane(1) && isOnPlane(2) && isOnPlane(3))
     {
       flat.push_back(cell);

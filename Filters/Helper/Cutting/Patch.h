@@ -9,7 +9,6 @@
 #include "Helper/Cutting/CutMesh.h"
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 namespace carving::helper
@@ -48,7 +47,8 @@ private:
 
   void RemoveSpurs();
   bool IsSimple() const;
-  int SideOf(int vertex);
+  void PutOnPlane(int vertex);
+  int SideOf(const PiercedMesh::Vertex& v);
   std::vector<Edge> FindCrossing();
   bool IsOnSide(const Cell& cell, int side);
   bool IsFace(const Cell& cell, int f, int side);
@@ -60,8 +60,7 @@ private:
   Corners3 CornerPoints;
   Point Normal;          ///< of length 1; 0 if the triangle has no area
   std::vector<int> Loop; ///< all vertices on the border, in the direction of the triangle
-  /** By vertex: on which side of the plane it is; 0 if it is on it. */
-  std::unordered_map<int, int> Sides;
+  unsigned Number;       ///< marks the vertices whose side is known
 };
 
 } // namespace carving::helper

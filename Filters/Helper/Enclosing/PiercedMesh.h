@@ -30,6 +30,12 @@ public:
   {
     int Index = -1;
     unsigned LastWalk = 0; ///< the last walk that visited the vertex
+    /** Of the plane of the last patch that asked. */
+    struct
+    {
+      unsigned OfPatch = 0;
+      int Which = 0;
+    } Side;
   };
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<VertexInfo, Inexact>;
   using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellContacts, Inexact,

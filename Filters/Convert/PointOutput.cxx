@@ -49,6 +49,7 @@ public:
     // threads. Queries use the locator's memory, so that each thread needs its own.
     vtkCellLocator* locator = this->Locators.Local();
     locator->SetDataSet(this->Surface);
+    locator->CacheCellBoundsOn();
     locator->SetNumberOfCellsPerBucket(4);
     locator->BuildLocator();
   }

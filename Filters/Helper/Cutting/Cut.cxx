@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace carving::helper
 {
@@ -20,6 +19,29 @@ using Part = Subdivision::Part;
  * that fails takes as long as many small ones.
  */
 constexpr std::size_t LeastEffort = 300000, EffortPerPart = 200;
+
+/** A triangle, and the vertices on its sides, in order. */
+struct Piece
+{
+  Triangle Corners;
+  std::array<std::vector<int>, 3> Between;
+};
+
+/**
+ * Pushes the two pieces at the middle one of the vertices on a side. If that is the opposite corner,
+ * as may be where vertices nearly coincide, one of the pieces, or both, have a corner twice.
+ */
+void Divide(Piece& piece, int side, std::vector<Piece>& stack)
+{
+  const int next = (side + 1) % 3, last = (side + 2) % 3;
+  const int a = piece.Corners[side], b = piece.Corners[next], c = piece.Corners[last];
+  const std::vector<int>& all = piece.Between[side];
+  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+  stack.push_back(
+    { { a, *middle, c }, { { { all.begin(), middle }, {}, std::move(piece.Between[last]) } } });
+  stack.push_back(
+    { { *middle, b, c }, { { { middle + 1, all.end() }, std::move(piece.Between[next]), {} } } });
+}
 
 class Cutter
 {
@@ -45,6 +67,7 @@ public:
 
 private:
   bool TryOnce(const Part& part);
+  int FindLongestDivided(const Piece& piece) const;
 
   CutMesh Mesh;
 };
@@ -107,41 +130,85 @@ bool Cutter::TryPart(const Part& part)
   return isDone;
 }
 
+/** The longest side of a piece that has vertices on it; -1: none. */
+int Cutter::FindLongestDivided(const Piece& piece) const
+{
+  int longest = -1;
+  double most = -1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length =
+      Length(this->Mesh.PointOf(piece.Corners[i]) - this->Mesh.PointOf(piece.Corners[(i + 1) % 3]));
+    if (!piece.Between[i].empty() && length > most)
+    {
+      longest = i;
+      most = length;
+    }
+  }
+  return longest;
+}
+
 void Cutter::GiveUp(const Part& part)
 {
-  std::vector<Triangle> stack = { part.Corners };
-  // Where vertices nearly coincide, each of two edges may be divided at an end of the other one.
-  std::set<Triangle> known;
+  Piece whole = { part.Corners, {} };
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Mesh.GetChains().Append(whole.Corners[i], whole.Corners[(i + 1) % 3], whole.Between[i]);
+  }
+  std::vector<Piece> stack = { whole };
   while (!stack.empty())
   {
-    const Triangle t = stack.back();
+    Piece piece = std::move(stack.back());
     stack.pop_back();
-    const bool isNew = known.insert(t).second;
-    std::vector<int> chain;
-    int side = 0;
-    for (; isNew && side < 3 && chain.empty(); ++side)
+    const auto& [a, b, c] = piece.Corners;
+    const int side = this->FindLongestDivided(piece);
+    if (side >= 0)
     {
-      this->Mesh.GetChains().Append(t[side], t[(side + 1) % 3], chain);
+      Divide(piece, side, stack);
     }
-    if (chain.empty())
+    else if (a != b && b != c && c != a)
     {
-      this->Mesh.GetMesh().GivePart(t, part.Parent);
-      continue;
-    }
-    // A fan from the corner that is opposite to the side before.
-    const int first = t[side - 1], last = t[side % 3], apex = t[(side + 1) % 3];
-    chain.insert(chain.begin(), first);
-    chain.push_back(last);
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-    {
-      const Triangle piece = { chain[i], chain[i + 1], apex };
-      if (piece[0] != apex && piece[1] != apex)
-      {
-        stack.push_back(piece);
-      }
+      this->Mesh.GetMesh().GivePart(piece.Corners, part.Parent);
     }
   }
 }
+
+/** The area that cutting meets for its effort. */
+class Yield
+{
+public:
+  explicit Yield(const PiercedMesh& mesh)
+  {
+    for (const auto& [corners, parent] : mesh.GetParts().GetParts())
+    {
+      this->All += parent < 0 ? 0.0 : mesh.GetParts().AreaOf(corners);
+    }
+  }
+
+  void Add(double area)
+  {
+    this->Met += area;
+  }
+
+  /** Returns false once an effort beyond the first has met too little. To be called often. */
+  bool IsEnough(std::size_t effort)
+  {
+    constexpr std::size_t first = 700000, period = 100000;
+    constexpr double least = 0.0025; // of M's area per period, which takes about half a second
+    if (effort >= std::max(first, this->Start + period))
+    {
+      this->Enough &= this->Met - this->MetBefore > least * this->All;
+      this->MetBefore = this->Met;
+      this->Start = effort;
+    }
+    return this->Enough;
+  }
+
+private:
+  double All = 0.0, Met = 0.0, MetBefore = 0.0;
+  std::size_t Start = 0;
+  bool Enough = true;
+};
 
 /**
  * Takes the missing parts from the mesh, and returns them in the order of their turns. By area
@@ -174,6 +241,7 @@ std::vector<Part> TakeInOrder(PiercedMesh& mesh, std::vector<int> missing)
 std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
   const std::function<bool(double)>& progress)
 {
+  Yield yield(mesh);
   std::vector<Part> parts = TakeInOrder(mesh, mesh.FindMissing());
   const std::vector<Point>& points = mesh.GetParts().GetPoints();
   Cutter cutter(mesh, tolerance);
@@ -191,7 +259,10 @@ std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
     const auto isDone = [&](const Part& part)
     {
       progress(static_cast<double>(cutter.GetEffort()) / static_cast<double>(mostEffort));
-      return cutter.GetEffort() < mostEffort && points.size() < mostPoints && cutter.TryPart(part);
+      const bool succeeds = yield.IsEnough(cutter.GetEffort()) && cutter.GetEffort() < mostEffort &&
+        points.size() < mostPoints && cutter.TryPart(part);
+      yield.Add(succeeds ? mesh.GetParts().AreaOf(part.Corners) : 0.0);
+      return succeeds;
     };
     parts.erase(std::remove_if(parts.begin(), parts.end(), isDone), parts.end());
     if (parts.size() == before)

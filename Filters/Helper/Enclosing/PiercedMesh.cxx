@@ -52,7 +52,9 @@ PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& fu
   std::vector<std::pair<Inexact::Point_3, VertexInfo>> points;
   for (const Point& p : this->Parts.GetPoints())
   {
-    points.push_back({ ToInexact(p), { static_cast<int>(points.size()) } });
+    VertexInfo info;
+    info.Index = static_cast<int>(points.size());
+    points.emplace_back(ToInexact(p), info);
   }
   this->Mesh.insert(points.begin(), points.end());
   this->Vertices.resize(points.size());

@@ -201,7 +201,8 @@ Subdivision::Change PiercedMesh::SplitParts(const Place& place, int vertex)
   Subdivision::Change change;
   for (const int part : parts)
   {
-    const auto isOfPart = [&](const Edge& edge) { return this->Parts.HasEdge(part, edge[0], edge[1]); };
+    const auto isOfPart = [&](const Edge& edge)
+    { return this->Parts.HasEdge(part, edge[0], edge[1]); };
     const auto edge = std::find_if(place.Edges.begin(), place.Edges.end(), isOfPart);
     if (edge == place.Edges.end())
     {

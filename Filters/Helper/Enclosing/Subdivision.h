@@ -7,6 +7,7 @@
 #define carving_Subdivision_h
 
 #include "Core/Mesh/Mesh.h"
+#include "Core/Mesh/Vector.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -79,6 +80,11 @@ public:
   const std::vector<Part>& GetParts() const
   {
     return this->Parts;
+  }
+  double AreaOf(const Triangle& corners) const
+  {
+    const Point& a = this->Points[corners[0]];
+    return Length(Cross(this->Points[corners[1]] - a, this->Points[corners[2]] - a)) / 2.0;
   }
   /** Whether a part has an edge between two vertices. */
   bool HasEdge(int part, int a, int b) const

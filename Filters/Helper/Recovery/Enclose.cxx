@@ -26,8 +26,8 @@ namespace
 
 using Cell = PiercedMesh::Cell;
 
-/** Changes that cutting may try: they take about ten seconds. */
-constexpr std::size_t MaximumCuts = 1200000;
+/** Changes that cutting may try: they take about eight seconds. */
+constexpr std::size_t MaximumCuts = 1500000;
 
 /** Adds the faces on which parts of M lie. */
 void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
@@ -165,20 +165,17 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   if (mayAddPoints)
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
-    const std::size_t cuts =
-      Cut(mesh, CutTolerance * length, { MaximumCuts, most }, PartOf(progress, 0.2, 0.7));
+    Cut(mesh, CutTolerance * length, { MaximumCuts, most }, PartOf(progress, 0.2, 0.7));
     if (!crosses)
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
     }
     HalveKept(mesh, distance, bound, most, threads, PartOf(progress, 0.7, 0.8));
     // Further points take the surface much closer than it has to be: to a quarter, and then to a
-    // tenth. Their number grows with the time that cutting has left, and is bounded by the size of
-    // the mesh.
-    constexpr std::size_t cutsPerPoint = 8; // in the same time
-    const std::size_t spare = (MaximumCuts - std::min(cuts, MaximumCuts)) / cutsPerPoint;
+    // tenth. Their number is bounded by the size of the mesh.
     const std::size_t count = input.Points.size();
-    std::size_t left = std::min(count / 10 + 10000 + std::min(20000 + spare, 40 * count), most);
+    std::size_t left =
+      std::min(count / 10 + 10000 + std::min<std::size_t>(100000, 40 * count), most);
     left -= HalveKept(mesh, distance, 0.25 * bound, left, threads, PartOf(progress, 0.8, 0.85));
     HalveKept(mesh, distance, 0.1 * bound, left, threads, PartOf(progress, 0.85, 0.9));
   }

@@ -57,8 +57,9 @@ public:
   /** Gives the part back to the mesh as faces. Returns whether that succeeded. */
   bool TryPart(const Part& part);
 
-  /** Gives the part back as it is, except for vertices on its edges. */
-  void GiveUp(const Part& part);
+  /** Gives parts back as they are, except for vertices on their edges. */
+  void GiveUp(
+    const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress);
 
   std::size_t GetEffort() const
   {
@@ -68,6 +69,7 @@ public:
 private:
   bool TryOnce(const Part& part);
   int FindLongestDivided(const Piece& piece) const;
+  void DivideAtEdges(const Part& part, std::vector<Part>& pieces) const;
 
   CutMesh Mesh;
 };
@@ -148,7 +150,8 @@ int Cutter::FindLongestDivided(const Piece& piece) const
   return longest;
 }
 
-void Cutter::GiveUp(const Part& part)
+/** Adds the pieces of a part between the vertices on its edges. */
+void Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
 {
   Piece whole = { part.Corners, {} };
   for (int i = 0; i < 3; ++i)
@@ -168,16 +171,28 @@ void Cutter::GiveUp(const Part& part)
     }
     else if (a != b && b != c && c != a)
     {
-      this->Mesh.GetMesh().GivePart(piece.Corners, part.Parent);
+      pieces.push_back({ piece.Corners, part.Parent });
     }
   }
+}
+
+void Cutter::GiveUp(
+  const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress)
+{
+  std::vector<Part> pieces;
+  for (const Part& part : parts)
+  {
+    this->DivideAtEdges(part, pieces);
+  }
+  this->Mesh.GetMesh().GiveParts(pieces, threads, progress);
 }
 
 /** The area that cutting meets for its effort. */
 class Yield
 {
 public:
-  explicit Yield(const PiercedMesh& mesh)
+  Yield(const PiercedMesh& mesh, double least)
+    : Least(least)
   {
     for (const auto& [corners, parent] : mesh.GetParts().GetParts())
     {
@@ -190,14 +205,13 @@ public:
     this->Met += area;
   }
 
-  /** Returns false once an effort beyond the first has met too little. To be called often. */
+  /** Returns false once the last changes have met too little. To be called often. */
   bool IsEnough(std::size_t effort)
   {
     constexpr std::size_t first = 700000, period = 100000;
-    constexpr double least = 0.0025; // of M's area per period, which takes about half a second
     if (effort >= std::max(first, this->Start + period))
     {
-      this->Enough &= this->Met - this->MetBefore > least * this->All;
+      this->Enough &= this->Met - this->MetBefore > this->Least * this->All;
       this->MetBefore = this->Met;
       this->Start = effort;
     }
@@ -205,7 +219,7 @@ public:
   }
 
 private:
-  double All = 0.0, Met = 0.0, MetBefore = 0.0;
+  double Least, All = 0.0, Met = 0.0, MetBefore = 0.0;
   std::size_t Start = 0;
   bool Enough = true;
 };
@@ -238,10 +252,10 @@ std::vector<Part> TakeInOrder(PiercedMesh& mesh, std::vector<int> missing)
 
 } // namespace
 
-std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
+void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits, int threads,
   const std::function<bool(double)>& progress)
 {
-  Yield yield(mesh);
+  Yield yield(mesh, limits.LeastYield);
   std::vector<Part> parts = TakeInOrder(mesh, mesh.FindMissing());
   const std::vector<Point>& points = mesh.GetParts().GetPoints();
   Cutter cutter(mesh, tolerance);
@@ -270,11 +284,7 @@ std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
       break;
     }
   }
-  for (const Part& part : parts)
-  {
-    cutter.GiveUp(part);
-  }
-  return cutter.GetEffort();
+  cutter.GiveUp(parts, threads, [&](double) { return progress(1.0); });
 }
 
 } // namespace carving::helper

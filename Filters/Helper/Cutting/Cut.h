@@ -20,6 +20,8 @@ struct CutLimits
 {
   std::size_t Effort; ///< changes of the mesh that are tried
   std::size_t Points; ///< that are added
+  /** Of M's area: once 700,000 changes have been tried, every 100,000 have to meet more. */
+  double LeastYield = -1.0;
 };
 
 /**
@@ -28,9 +30,9 @@ struct CutLimits
  * tetrahedra that they meet come first, since the limits may not let all parts have their turn.
  * Where parts cross each other, they share vertices afterwards. Those parts that resist still
  * pierce tetrahedra, or lie on faces that extend beyond them. What is within `tolerance`, a length,
- * of a part counts as being on it. Returns the number of changes tried.
+ * of a part counts as being on it. The result does not depend on `threads`.
  */
-std::size_t Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits,
+void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits, int threads,
   const std::function<bool(double)>& progress);
 
 } // namespace carving::helper

@@ -60,6 +60,10 @@ public:
   {
     return this->Edges;
   }
+  const Chains& GetChains() const
+  {
+    return this->Edges;
+  }
   const Point& PointOf(int vertex) const
   {
     return this->Mesh.GetParts().GetPoints()[vertex];

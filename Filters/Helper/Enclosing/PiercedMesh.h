@@ -47,8 +47,9 @@ public:
 
   /**
    * From the points of `input`, which may cross itself, and `further` points; not all in one plane.
+   * The mesh does not depend on `threads`.
    */
-  PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further,
+  PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
     const std::function<bool(double)>& progress);
 
   /** Whether a part is a face. */
@@ -74,6 +75,8 @@ public:
 
   /** Adds a part of a triangle of M. */
   void GivePart(const Triangle& corners, int parent);
+  void GiveParts(const std::vector<Subdivision::Part>& parts, int threads,
+    const std::function<bool(double)>& progress);
 
   /** Whether an edge may not vanish. */
   using EdgePredicate = std::function<bool(int, int)>;
@@ -184,10 +187,17 @@ private:
   Flattened RemoveCrossed(const Cell& cell, const std::array<std::vector<int>, 2>& faces,
     const EdgePredicate& isProtected);
   bool RemoveCovered(const Cell& cell, int f);
+  class MeshMarks;
+  class OwnMarks;
+
   bool Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);
+  bool SettleSimply(int part);
   bool SettleOnFace(int part);
+  void FindContacts(
+    int part, OwnMarks& marks, std::vector<std::pair<Cell, Contact>>& contacts) const;
+  void SettleAll(std::vector<int> parts, int threads, const std::function<bool(double)>& progress);
   std::optional<Delaunay::Facet> FindFace(int part) const;
   void Forget(int part);
   PartsOfCells Collect(const std::vector<Cell>& cells) const;
@@ -196,8 +206,8 @@ private:
   void SetVertex(int index, const Vertex& v);
   void DeleteVertex(int vertex);
   void Collapse(const std::vector<Cell>& star, const Vertex& from, const Vertex& to);
-  template <class Visit>
-  void Walk(int part, const Piercer& piercer, const Visit& visit);
+  template <class Marks, class Visit>
+  void Walk(int part, const Piercer& piercer, Marks& marks, const Visit& visit) const;
 
   Subdivision Parts;
   Delaunay Mesh;

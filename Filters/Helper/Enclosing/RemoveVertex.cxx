@@ -277,4 +277,15 @@ void PiercedMesh::GivePart(const Triangle& corners, int parent)
   this->Settle(this->Parts.Give(corners, parent));
 }
 
+void PiercedMesh::GiveParts(const std::vector<Subdivision::Part>& parts, int threads,
+  const std::function<bool(double)>& progress)
+{
+  std::vector<int> given;
+  for (const auto& [corners, parent] : parts)
+  {
+    given.push_back(this->Parts.Give(corners, parent));
+  }
+  this->SettleAll(std::move(given), threads, progress);
+}
+
 } // namespace carving::helper

@@ -17,7 +17,7 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Edge = std::array<int, 2>;
 
-/** An edge, and a cell that has it as long as the mesh stays the same. */
+/** An edge, and a cell that has it as long as the mesh stays the same, from end to end. */
 struct Measured
 {
   double SquaredLength = -1.0;
@@ -37,11 +37,12 @@ Measured FindLongestEdge(const Cell& cell)
   {
     for (int k = i + 1; k < 4; ++k)
     {
-      const auto [lower, upper] =
-        std::minmax({ cell->vertex(i)->info().Index, cell->vertex(k)->info().Index });
+      const int a = cell->vertex(i)->info().Index, b = cell->vertex(k)->info().Index;
       const double squaredLength =
         CGAL::squared_distance(cell->vertex(i)->point(), cell->vertex(k)->point());
-      longest = std::max(longest, { squaredLength, { lower, upper }, { cell, i, k } });
+      longest = std::max(longest,
+        a < b ? Measured{ squaredLength, { a, b }, { cell, i, k } }
+              : Measured{ squaredLength, { b, a }, { cell, k, i } });
     }
   }
   return longest;
@@ -54,7 +55,7 @@ Measured FindLongestEdge(const Cell& cell)
 Edge FindTerminalEdge(const PiercedMesh& mesh, const Measured& start)
 {
   Measured longest = start;
-  std::vector<Cell> cells = mesh.FindCellsAround(start.Ends[0], start.Ends[1]);
+  std::vector<Cell> cells = mesh.FindCellsAround(start.Ends[0], start.Ends[1], start.Handle);
   bool isLonger = !cells.empty();
   while (isLonger)
   {

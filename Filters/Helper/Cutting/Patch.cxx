@@ -95,10 +95,10 @@ int Patch::SideOf(const PiercedMesh::Vertex& v)
  * All edges that cross the triangle. Every tetrahedron that the triangle pierces has such an edge,
  * since edges of the tetrahedralization make up its border.
  */
-std::vector<Patch::Edge> Patch::FindCrossing()
+std::vector<std::pair<Patch::Edge, Patch::CellEdge>> Patch::FindCrossing()
 {
   PiercedMesh& mesh = this->Mesh.GetMesh();
-  std::vector<Edge> edges;
+  std::vector<std::pair<Edge, CellEdge>> edges;
   std::vector<Cell> stack;
   std::unordered_set<std::uint64_t> known;
   std::unordered_set<int> centers(this->Loop.begin(), this->Loop.end());
@@ -127,7 +127,8 @@ std::vector<Patch::Edge> Patch::FindCrossing()
           CrossesInside(cell->vertex(i)->point(), cell->vertex(j)->point(), this->CornerPoints))
         {
           isCut = true;
-          edges.push_back({ std::min(a, b), std::max(a, b) });
+          edges.push_back(a < b ? std::pair(Edge{ a, b }, CellEdge(cell, i, j))
+                                : std::pair(Edge{ b, a }, CellEdge(cell, j, i)));
           for (const Cell& around : mesh.FindCellsAround({ cell, i, j }))
           {
             mesh.Push(around, stack);
@@ -143,7 +144,8 @@ std::vector<Patch::Edge> Patch::FindCrossing()
       }
     }
   }
-  std::sort(edges.begin(), edges.end());
+  std::sort(edges.begin(), edges.end(),
+    [](const auto& one, const auto& other) { return one.first < other.first; });
   return edges;
 }
 
@@ -161,9 +163,10 @@ bool Patch::CutEdges()
   for (int round = 0; round < rounds && !isCut; ++round)
   {
     isCut = true;
-    for (const auto& [a, b] : this->FindCrossing())
+    for (const auto& [edge, hint] : this->FindCrossing())
     {
-      const std::vector<Cell> around = this->Mesh.GetMesh().FindCellsAround(a, b);
+      const auto [a, b] = edge;
+      const std::vector<Cell> around = this->Mesh.GetMesh().FindCellsAround(a, b, hint);
       if (around.empty())
       {
         isCut = false;

@@ -49,7 +49,7 @@ private:
   bool IsSimple() const;
   void PutOnPlane(int vertex);
   int SideOf(const PiercedMesh::Vertex& v);
-  std::vector<Edge> FindCrossing();
+  std::vector<std::pair<Edge, CellEdge>> FindCrossing();
   bool IsOnSide(const Cell& cell, int side);
   bool IsFace(const Cell& cell, int f, int side);
   Left FindLeft(const CellEdge& edge, int side);

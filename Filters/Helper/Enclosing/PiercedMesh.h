@@ -137,8 +137,11 @@ public:
   /** The edge from one vertex to another, if there is one. */
   std::optional<Delaunay::Edge> FindEdge(int a, int b) const;
 
-  /** All tetrahedra around an edge, infinite ones, too; none if there is no such edge. */
-  std::vector<Cell> FindCellsAround(int a, int b) const;
+  /**
+   * All tetrahedra around an edge, infinite ones, too; none if there is no such edge. `hint` saves
+   * the search if it was this edge and still is.
+   */
+  std::vector<Cell> FindCellsAround(int a, int b, const Delaunay::Edge& hint = {}) const;
   std::vector<Cell> FindCellsAround(const Delaunay::Edge& edge) const;
 
   /** A new vertex, for Refill. */
@@ -179,6 +182,7 @@ private:
     std::vector<int> Parts;                ///< that are split
   };
 
+  bool IsStill(const Delaunay::Edge& edge, int a, int b) const;
   Place PlaceOnEdge(int a, int b, const Point& p) const;
   Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
   int Split(const Place& place, const std::function<Vertex()>& insert);
@@ -214,7 +218,8 @@ private:
   std::vector<Vertex> Vertices;
   std::vector<int> Free; ///< the indices of removed vertices
   unsigned NumberOfWalks = 0;
-  std::vector<Cell> Star, Stack; ///< of the last walk, kept to reuse their memory
+  mutable Delaunay::Edge LastEdge; ///< found last; often the next one to be looked for
+  std::vector<Cell> Star, Stack;   ///< of the last walk, kept to reuse their memory
 };
 
 Corners4 CornersOf(const PiercedMesh::Cell& cell);

@@ -120,6 +120,10 @@ bool IsAmong(const std::vector<Edge>& edges, int a, int b)
 
 std::optional<PiercedMesh::Delaunay::Edge> PiercedMesh::FindEdge(int a, int b) const
 {
+  if (this->IsStill(this->LastEdge, a, b))
+  {
+    return this->LastEdge;
+  }
   // CGAL searches the cells around the first vertex. Vertices that were added have few.
   const auto [lower, upper] = std::minmax(a, b);
   Cell cell;
@@ -129,14 +133,24 @@ std::optional<PiercedMesh::Delaunay::Edge> PiercedMesh::FindEdge(int a, int b) c
     : std::nullopt;
 }
 
-std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b) const
+/** Whether there is still an edge, and it is the one from a to b. */
+bool PiercedMesh::IsStill(const Delaunay::Edge& edge, int a, int b) const
 {
-  const std::optional<Delaunay::Edge> edge = this->FindEdge(a, b);
+  const auto& [cell, i, j] = edge;
+  return cell != Cell() && this->Mesh.tds().cells().is_used(cell) &&
+    cell->vertex(i) == this->Vertices[a] && cell->vertex(j) == this->Vertices[b];
+}
+
+std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b, const Delaunay::Edge& hint) const
+{
+  const std::optional<Delaunay::Edge> edge =
+    this->IsStill(hint, a, b) ? hint : this->FindEdge(a, b);
   return edge ? this->FindCellsAround(*edge) : std::vector<Cell>();
 }
 
 std::vector<Cell> PiercedMesh::FindCellsAround(const Delaunay::Edge& edge) const
 {
+  this->LastEdge = edge;
   std::vector<Cell> cells;
   auto at = this->Mesh.tds().incident_cells(edge);
   const Cell first = at;

@@ -177,7 +177,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
     // tenth. Their number is bounded by the size of the mesh.
     const std::size_t count = input.Points.size();
     std::size_t left =
-      std::min(count / 10 + 10000 + std::min<std::size_t>(100000, 40 * count), most);
+      std::min(count / 10 + 10000 + std::min<std::size_t>(90000, 40 * count), most);
     left -= HalveKept(mesh, distance, 0.25 * bound, left, threads, PartOf(progress, 0.8, 0.85));
     HalveKept(mesh, distance, 0.1 * bound, left, threads, PartOf(progress, 0.85, 0.9));
   }

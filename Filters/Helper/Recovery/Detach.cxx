@@ -283,7 +283,6 @@ void DetachAll(PiercedMesh& mesh, int firstAdded, int maximumSearches)
     bool isWorthwhile = !mayTakeLong || static_cast<int>(added.size()) <= maximumSearches;
     while (isWorthwhile && !added.empty())
     {
-      const std::size_t before = added.size();
       if (mayTakeLong)
       {
         // Cutting leaves vertices so close to M that there is no room beside them.
@@ -292,10 +291,10 @@ void DetachAll(PiercedMesh& mesh, int firstAdded, int maximumSearches)
           detacher.TryVertex(vertex, false);
         }
       }
-      added.erase(std::remove_if(added.begin(), added.end(),
-                    [&](int vertex) { return detacher.TryVertex(vertex, mayTakeLong); }),
-        added.end());
-      isWorthwhile = 10 * (before - added.size()) >= before;
+      const auto removed = std::count_if(added.begin(), added.end(),
+        [&](int vertex) { return detacher.TryVertex(vertex, mayTakeLong); });
+      isWorthwhile = 10 * removed >= static_cast<std::ptrdiff_t>(added.size());
+      added = FindAdded(mesh, firstAdded); // without those that have lost their parts
     }
   }
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/PiercedMesh.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace carving::helper
 {
+
 Corners4 CornersOf(const PiercedMesh::Cell& cell)
 {
   return { cell->vertex(0)->point(), cell->vertex(1)->point(), cell->vertex(2)->point(),
@@ -52,6 +54,51 @@ Corners3 PiercedMesh::CornersOf(int part) const
   const Triangle& corners = this->Parts.GetParts()[part].Corners;
   return { this->Vertices[corners[0]]->point(), this->Vertices[corners[1]]->point(),
     this->Vertices[corners[2]]->point() };
+}
+
+std::optional<PiercedMesh::Delaunay::Edge> PiercedMesh::FindEdge(int a, int b) const
+{
+  if (this->IsStill(this->LastEdge, a, b))
+  {
+    return this->LastEdge;
+  }
+  // CGAL searches the cells around the first vertex. Vertices that were added have few.
+  const auto [lower, upper] = std::minmax(a, b);
+  Cell cell;
+  int i = 0, j = 0;
+  return this->Mesh.tds().is_edge(this->Vertices[upper], this->Vertices[lower], cell, i, j)
+    ? std::optional(upper == a ? Delaunay::Edge(cell, i, j) : Delaunay::Edge(cell, j, i))
+    : std::nullopt;
+}
+
+/** Whether there is still an edge, and it is the one from a to b. */
+bool PiercedMesh::IsStill(const Delaunay::Edge& edge, int a, int b) const
+{
+  const auto& [cell, i, j] = edge;
+  return cell != Cell() && this->Mesh.tds().cells().is_used(cell) &&
+    cell->vertex(i) == this->Vertices[a] && cell->vertex(j) == this->Vertices[b];
+}
+
+std::vector<PiercedMesh::Cell> PiercedMesh::FindCellsAround(
+  int a, int b, const Delaunay::Edge& hint) const
+{
+  const std::optional<Delaunay::Edge> edge =
+    this->IsStill(hint, a, b) ? hint : this->FindEdge(a, b);
+  return edge ? this->FindCellsAround(*edge) : std::vector<Cell>();
+}
+
+std::vector<PiercedMesh::Cell> PiercedMesh::FindCellsAround(const Delaunay::Edge& edge) const
+{
+  this->LastEdge = edge;
+  std::vector<Cell> cells;
+  auto at = this->Mesh.tds().incident_cells(edge);
+  const Cell first = at;
+  do
+  {
+    cells.push_back(at);
+    ++at;
+  } while (Cell(at) != first);
+  return cells;
 }
 
 } // namespace carving::helper

@@ -118,50 +118,6 @@ bool IsAmong(const std::vector<Edge>& edges, int a, int b)
 
 } // namespace
 
-std::optional<PiercedMesh::Delaunay::Edge> PiercedMesh::FindEdge(int a, int b) const
-{
-  if (this->IsStill(this->LastEdge, a, b))
-  {
-    return this->LastEdge;
-  }
-  // CGAL searches the cells around the first vertex. Vertices that were added have few.
-  const auto [lower, upper] = std::minmax(a, b);
-  Cell cell;
-  int i = 0, j = 0;
-  return this->Mesh.tds().is_edge(this->Vertices[upper], this->Vertices[lower], cell, i, j)
-    ? std::optional(upper == a ? Delaunay::Edge(cell, i, j) : Delaunay::Edge(cell, j, i))
-    : std::nullopt;
-}
-
-/** Whether there is still an edge, and it is the one from a to b. */
-bool PiercedMesh::IsStill(const Delaunay::Edge& edge, int a, int b) const
-{
-  const auto& [cell, i, j] = edge;
-  return cell != Cell() && this->Mesh.tds().cells().is_used(cell) &&
-    cell->vertex(i) == this->Vertices[a] && cell->vertex(j) == this->Vertices[b];
-}
-
-std::vector<Cell> PiercedMesh::FindCellsAround(int a, int b, const Delaunay::Edge& hint) const
-{
-  const std::optional<Delaunay::Edge> edge =
-    this->IsStill(hint, a, b) ? hint : this->FindEdge(a, b);
-  return edge ? this->FindCellsAround(*edge) : std::vector<Cell>();
-}
-
-std::vector<Cell> PiercedMesh::FindCellsAround(const Delaunay::Edge& edge) const
-{
-  this->LastEdge = edge;
-  std::vector<Cell> cells;
-  auto at = this->Mesh.tds().incident_cells(edge);
-  const Cell first = at;
-  do
-  {
-    cells.push_back(at);
-    ++at;
-  } while (Cell(at) != first);
-  return cells;
-}
-
 PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
 {
   Place place{ p, {}, {}, { { a, b } }, {} };

@@ -120,7 +120,8 @@ void PiercedMesh::SettleAll(
   {
     cell->info().Index = cells++;
   }
-  threads = std::max(threads, 1);
+  constexpr int most = 8; // since the marks of each take eight bytes for a tetrahedron
+  threads = std::clamp(threads, 1, most);
   std::vector<OwnMarks> marks(threads, OwnMarks(*this));
   constexpr std::size_t batch = 2000; // whose contacts are held twice
   std::vector<std::vector<std::pair<Cell, Contact>>> contacts(batch);

@@ -44,7 +44,7 @@ bool IsNearDelaunay(const ResolvedMesh& mesh)
     });
   // At exactly 180 degrees, as in flat grids, either diagonal may be in the tetrahedralization.
   constexpr double tie = 1e-9;
-  std::size_t edges = 0, bad = 0;
+  std::size_t all = 0, inner = 0, bad = 0;
   for (int lower = 0; lower < sides.GetNumberOfBuckets(); ++lower)
   {
     const auto bucket = sides[lower];
@@ -53,16 +53,17 @@ bool IsNearDelaunay(const ResolvedMesh& mesh)
     {
       const auto last = std::find_if(
         first, bucket.end(), [upper = (*first)[0]](const Side& side) { return side[0] != upper; });
+      ++all;
       if (last - first == 2)
       {
-        ++edges;
+        ++inner;
         // The angles add up to less than 180 degrees where their cotangents have a positive sum.
         bad += CotangentAt(mesh, first[0][1]) + CotangentAt(mesh, first[1][1]) < tie;
       }
       first = last;
     }
   }
-  return static_cast<double>(bad) <= MaximumShare * static_cast<double>(edges);
+  return 2 * inner >= all && static_cast<double>(bad) <= MaximumShare * static_cast<double>(inner);
 }
 
 } // namespace carving::helper

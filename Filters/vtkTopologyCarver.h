@@ -15,6 +15,10 @@
  * - output port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
  * - output port 2: vtkTable, the profile: a row per step, row 0 is C0
  *
+ * Polygons of more than three corners are triangulated as by vtkContourTriangulator. Where corners
+ * are not in one plane, other triangulations are other surfaces, which levels need not enclose. To
+ * choose one, apply vtkTriangleFilter first.
+ *
  * The method is that of "Carving for topology simplification of polygonal meshes", which README.md
  * cites in full. Section and equation numbers in this documentation refer to that paper.
  *

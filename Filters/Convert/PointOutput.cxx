@@ -50,7 +50,7 @@ public:
     vtkCellLocator* locator = this->Locators.Local();
     locator->SetDataSet(this->Surface);
     locator->CacheCellBoundsOn();
-    locator->SetNumberOfCellsPerBucket(4);
+    locator->SetNumberOfCellsPerBucket(1);
     locator->BuildLocator();
   }
   void operator()(vtkIdType begin, vtkIdType end)

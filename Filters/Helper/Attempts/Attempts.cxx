@@ -96,8 +96,8 @@ bool Attempts::RunRecovery(RecoveryEffort effort)
 {
   this->Host.Begin(Stage::Tetrahedralize);
   Tetrahedralization& result = this->TheReply.Result;
-  return this->WriteExact(
-    RecoverAll(this->FurtherPoints(result.Surface.Points), effort, this->Host.Report, result));
+  return this->WriteExact(RecoverAll(this->FurtherPoints(result.Surface.Points), effort,
+    this->TheJob.Processes, this->Host.Report, result));
 }
 
 /** Writes the result of an attempt at the resolved mesh, or records why there is none. */

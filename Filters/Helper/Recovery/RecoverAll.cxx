@@ -48,12 +48,12 @@ std::size_t CountDivided(const PiercedMesh& mesh, const std::vector<Triangle>& f
 
 } // namespace
 
-Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
+Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort, int threads,
   const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
   const ResolvedMesh& surface = result.Surface;
   const std::size_t facets = surface.Facets.size();
-  PiercedMesh mesh(surface, further, 1, PartOf(progress, 0.0, 0.4));
+  PiercedMesh mesh(surface, further, threads, PartOf(progress, 0.0, 0.4));
   std::size_t missing = mesh.FindMissing().size();
   constexpr double fewMissing = 0.15; // per triangle: with more, TetGen takes less time
   const bool givesUp = effort == RecoveryEffort::Little &&
@@ -63,8 +63,8 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
     constexpr std::ptrdiff_t stepsPerFacet = 30; // cutting takes less time than more steps
     Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), PartOf(progress, 0.4, 0.6));
     const std::size_t most = 100000 + 10 * facets;
-    Cut(
-      mesh, CutTolerance * Diagonal(surface.Points), { most, most }, 1, PartOf(progress, 0.6, 0.9));
+    Cut(mesh, CutTolerance * Diagonal(surface.Points), { most, most }, threads,
+      PartOf(progress, 0.6, 0.9));
     missing = CountTriangles(mesh, mesh.FindMissing());
     if (missing == 0)
     {

@@ -23,9 +23,10 @@ enum class RecoveryEffort
  * triangle is a face, by recovery in a Delaunay tetrahedralization.
  *
  * `result.Surface` is the mesh; the other members are filled, and the further points and the points
- * that recovery adds are appended to its points. On failure, `result` is as it was.
+ * that recovery adds are appended to its points. On failure, `result` is as it was. The result does
+ * not depend on `threads`.
  */
-Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort,
+Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort, int threads,
   const std::function<bool(double)>& progress, Tetrahedralization& result);
 
 } // namespace carving::helper

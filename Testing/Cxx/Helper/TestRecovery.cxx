@@ -60,7 +60,7 @@ void ExpectExact(const Tetrahedralization& mesh)
 std::string Recover(RecoveryEffort effort, Tetrahedralization& mesh)
 {
   const auto progress = [](double) { return true; };
-  return RecoverAll({}, effort, progress, mesh).Mistake;
+  return RecoverAll({}, effort, 2, progress, mesh).Mistake;
 }
 
 Tetrahedralization Recovered(

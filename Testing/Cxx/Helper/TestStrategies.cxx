@@ -215,6 +215,23 @@ TEST(Strategies, DoNotDependOnTheNumberOfProcesses)
   }
 }
 
+// Threads that share the work of enclosing change nothing but the seconds.
+TEST(Strategies, EncloseAlikeWithAnyNumberOfThreads)
+{
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 3; ++i)
+  {
+    Job job = MakeJob(models::Soup(100, random), Conformity::Enclosing);
+    job.EnclosingTolerance = 0.02;
+    Reply one = GetReply(job);
+    job.Processes = 3;
+    Reply three = GetReply(job);
+    one.StageSeconds = three.StageSeconds;
+    EXPECT_EQ(ToBytes(one), ToBytes(three));
+    EXPECT_GT(one.PointsAdded, 0);
+  }
+}
+
 // Recovery meets a clean mesh without TetGen, and is an error where it does not meet all of a mesh.
 TEST(Strategies, RecoverOnRequest)
 {

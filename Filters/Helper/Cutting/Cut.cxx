@@ -211,7 +211,7 @@ public:
     constexpr std::size_t first = 700000, period = 100000;
     if (effort >= std::max(first, this->Start + period))
     {
-      this->Enough &= this->Met - this->MetBefore > this->Least * this->All;
+      this->Enough &= this->Met - this->MetBefore >= this->Least * this->All;
       this->MetBefore = this->Met;
       this->Start = effort;
     }
@@ -236,8 +236,8 @@ std::vector<Part> TakeInOrder(PiercedMesh& mesh, std::vector<int> missing)
   std::vector<double> ranks(all.size(), 0.0);
   for (const int part : missing)
   {
-    const auto [a, b, c] = mesh.GetParts().GetCorners(part);
-    ranks[part] = Length(Cross(b - a, c - a)) / std::sqrt(std::max(counts[part], 1));
+    const double area = mesh.GetParts().AreaOf(all[part].Corners);
+    ranks[part] = area / std::sqrt(std::max(counts[part], 1));
   }
   std::stable_sort(
     missing.begin(), missing.end(), [&](int a, int b) { return ranks[a] > ranks[b]; });

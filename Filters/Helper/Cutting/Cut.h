@@ -20,8 +20,8 @@ struct CutLimits
 {
   std::size_t Effort; ///< changes of the mesh that are tried
   std::size_t Points; ///< that are added
-  /** Of M's area: once 700,000 changes have been tried, every 100,000 have to meet more. */
-  double LeastYield = -1.0;
+  /** Of M's area: once 700,000 changes have been tried, every 100,000 have to meet as much. */
+  double LeastYield = 0.0;
 };
 
 /**

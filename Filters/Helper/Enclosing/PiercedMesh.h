@@ -191,16 +191,18 @@ private:
   Flattened RemoveCrossed(const Cell& cell, const std::array<std::vector<int>, 2>& faces,
     const EdgePredicate& isProtected);
   bool RemoveCovered(const Cell& cell, int f);
+  using CellContactList = std::vector<std::pair<Cell, Contact>>; ///< of one part
   class MeshMarks;
   class OwnMarks;
 
-  bool Meet(int part, const Piercer& piercer, const Cell& cell);
+  void Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);
   bool SettleSimply(int part);
   bool SettleOnFace(int part);
-  void FindContacts(
-    int part, OwnMarks& marks, std::vector<std::pair<Cell, Contact>>& contacts) const;
+  template <class Marks>
+  void FindContacts(int part, Marks& marks, CellContactList& contacts) const;
+  void AddContacts(int part, const CellContactList& contacts);
   void SettleAll(std::vector<int> parts, int threads, const std::function<bool(double)>& progress);
   std::optional<Delaunay::Facet> FindFace(int part) const;
   void Forget(int part);

@@ -69,15 +69,14 @@ void PiercedMesh::PushStar(const Vertex& v, std::vector<Cell>& stack)
   }
 }
 
-/** Records the contact of a part with a cell; returns whether there is one. */
-bool PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
+/** Records the contact of a part with a cell, if there is one. */
+void PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 {
   const Contact contact = piercer.FindContact(helper::CornersOf(cell));
   if (contact.Exists())
   {
     cell->info().Add({ part, contact });
   }
-  return contact.Exists();
 }
 
 /** Settles a part that is a face, or without area. Returns whether it was one. */
@@ -96,15 +95,42 @@ bool PiercedMesh::SettleSimply(int part)
   return isFlat;
 }
 
+/** Finds the contacts of a part, cell by cell. */
+template <class Marks>
+void PiercedMesh::FindContacts(int part, Marks& marks, CellContactList& contacts) const
+{
+  const Piercer piercer(this->CornersOf(part));
+  contacts.clear();
+  marks.Begin();
+  this->Walk(part, piercer, marks,
+    [&](const Cell& cell)
+    {
+      const Contact contact = piercer.FindContact(helper::CornersOf(cell));
+      if (contact.Exists())
+      {
+        contacts.emplace_back(cell, contact);
+      }
+      return contact.Exists();
+    });
+}
+
+void PiercedMesh::AddContacts(int part, const CellContactList& contacts)
+{
+  for (const auto& [cell, contact] : contacts)
+  {
+    cell->info().Add({ part, contact });
+  }
+}
+
 /** Finds the tetrahedra that a part meets. */
 void PiercedMesh::Settle(int part)
 {
   if (!this->SettleSimply(part))
   {
-    const Piercer piercer(this->CornersOf(part));
     MeshMarks marks(*this);
-    this->Walk(
-      part, piercer, marks, [&](const Cell& cell) { return this->Meet(part, piercer, cell); });
+    CellContactList contacts;
+    this->FindContacts(part, marks, contacts);
+    this->AddContacts(part, contacts);
   }
 }
 
@@ -124,7 +150,7 @@ void PiercedMesh::SettleAll(
   threads = std::clamp(threads, 1, most);
   std::vector<OwnMarks> marks(threads, OwnMarks(*this));
   constexpr std::size_t batch = 2000; // whose contacts are held twice
-  std::vector<std::vector<std::pair<Cell, Contact>>> contacts(batch);
+  std::vector<CellContactList> contacts(batch);
   for (std::size_t first = 0; first < parts.size(); first += batch)
   {
     progress(static_cast<double>(first) / static_cast<double>(parts.size()));
@@ -140,53 +166,28 @@ void PiercedMesh::SettleAll(
       });
     for (std::size_t i = 0; i < count; ++i)
     {
-      for (const auto& [cell, contact] : contacts[i])
-      {
-        cell->info().Add({ parts[first + i], contact });
-      }
+      this->AddContacts(parts[first + i], contacts[i]);
     }
   }
 }
 
-void PiercedMesh::FindContacts(
-  int part, OwnMarks& marks, std::vector<std::pair<Cell, Contact>>& contacts) const
-{
-  const Piercer piercer(this->CornersOf(part));
-  contacts.clear();
-  marks.Begin();
-  this->Walk(part, piercer, marks,
-    [&](const Cell& cell)
-    {
-      const Contact contact = piercer.FindContact(helper::CornersOf(cell));
-      if (contact.Exists())
-      {
-        contacts.emplace_back(cell, contact);
-      }
-      return contact.Exists();
-    });
-}
-
 std::vector<PiercedMesh::Cell> PiercedMesh::FindCells(int part)
 {
-  std::vector<Cell> cells;
-  const Piercer piercer(this->CornersOf(part));
   MeshMarks marks(*this);
-  this->Walk(part, piercer, marks,
-    [&](const Cell& cell)
-    {
-      const bool meets = piercer.FindContact(helper::CornersOf(cell)).Exists();
-      if (meets)
-      {
-        cells.push_back(cell);
-      }
-      return meets;
-    });
+  CellContactList contacts;
+  this->FindContacts(part, marks, contacts);
+  std::vector<Cell> cells;
+  for (const auto& [cell, contact] : contacts)
+  {
+    cells.push_back(cell);
+  }
   return cells;
 }
 
 void PiercedMesh::Forget(int part)
 {
   MeshMarks marks(*this);
+  marks.Begin();
   this->Walk(part, Piercer(this->CornersOf(part)), marks,
     [&](const Cell& cell) { return cell->info().Remove(part); });
 }

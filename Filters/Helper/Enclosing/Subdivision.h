@@ -94,11 +94,6 @@ public:
     { return std::find(corners.begin(), corners.end(), vertex) != corners.end(); };
     return has(a) && has(b);
   }
-  std::array<Point, 3> GetCorners(int part) const
-  {
-    const Triangle& c = this->Parts[part].Corners;
-    return { this->Points[c[0]], this->Points[c[1]], this->Points[c[2]] };
-  }
 
 private:
   void Replace(int part, const std::vector<Triangle>& pieces, Change& change);

@@ -20,8 +20,11 @@ public:
   explicit MeshMarks(PiercedMesh& mesh)
     : Of(mesh)
   {
-    mesh.BeginWalk();
-    mesh.Stack.clear();
+  }
+  void Begin()
+  {
+    this->Of.BeginWalk();
+    this->Of.Stack.clear();
   }
   /** Returns whether the vertex has not been reached before. */
   bool Reach(const Vertex& v)

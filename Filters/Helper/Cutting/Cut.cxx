@@ -2,6 +2,7 @@
 #include "Helper/Cutting/Cut.h"
 
 #include "Core/Mesh/Vector.h"
+#include "Helper/Cutting/DividePolygon.h"
 #include "Helper/Cutting/Patch.h"
 
 #include <algorithm>
@@ -20,34 +21,22 @@ using Part = Subdivision::Part;
  */
 constexpr std::size_t LeastEffort = 300000, EffortPerPart = 200;
 
-/** A triangle, and the vertices on its sides, in order. */
-struct Piece
+double LongestEdgeOf(const Triangle& t, const std::vector<Point>& points)
 {
-  Triangle Corners;
-  std::array<std::vector<int>, 3> Between;
-};
-
-/**
- * Pushes the two pieces at the middle one of the vertices on a side. If that is the opposite corner,
- * as may be where vertices nearly coincide, one of the pieces, or both, have a corner twice.
- */
-void Divide(Piece& piece, int side, std::vector<Piece>& stack)
-{
-  const int next = (side + 1) % 3, last = (side + 2) % 3;
-  const int a = piece.Corners[side], b = piece.Corners[next], c = piece.Corners[last];
-  const std::vector<int>& all = piece.Between[side];
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  stack.push_back(
-    { { a, *middle, c }, { { { all.begin(), middle }, {}, std::move(piece.Between[last]) } } });
-  stack.push_back(
-    { { *middle, b, c }, { { { middle + 1, all.end() }, std::move(piece.Between[next]), {} } } });
+  double longest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    longest = std::max(longest, Length(points[t[i]] - points[t[(i + 1) % 3]]));
+  }
+  return longest;
 }
 
 class Cutter
 {
 public:
   Cutter(PiercedMesh& mesh, double tolerance)
-    : Mesh(mesh, tolerance)
+    : Points(mesh.GetParts().GetPoints())
+    , Mesh(mesh, tolerance)
   {
   }
 
@@ -68,9 +57,9 @@ public:
 
 private:
   bool TryOnce(const Part& part);
-  int FindLongestDivided(const Piece& piece) const;
   void DivideAtEdges(const Part& part, std::vector<Part>& pieces) const;
 
+  const std::vector<Point>& Points;
   CutMesh Mesh;
 };
 
@@ -132,47 +121,33 @@ bool Cutter::TryPart(const Part& part)
   return isDone;
 }
 
-/** The longest side of a piece that has vertices on it; -1: none. */
-int Cutter::FindLongestDivided(const Piece& piece) const
-{
-  int longest = -1;
-  double most = -1.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double length =
-      Length(this->Mesh.PointOf(piece.Corners[i]) - this->Mesh.PointOf(piece.Corners[(i + 1) % 3]));
-    if (!piece.Between[i].empty() && length > most)
-    {
-      longest = i;
-      most = length;
-    }
-  }
-  return longest;
-}
-
-/** Adds the pieces of a part between the vertices on its edges. */
+/** Adds the pieces of a part between the vertices on its edges, or the part as it is. */
 void Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
 {
-  Piece whole = { part.Corners, {} };
+  Sides sides;
   for (int i = 0; i < 3; ++i)
   {
-    this->Mesh.GetChains().Append(whole.Corners[i], whole.Corners[(i + 1) % 3], whole.Between[i]);
+    const int from = part.Corners[i], to = part.Corners[(i + 1) % 3];
+    std::vector<int>& side = sides.emplace_back(1, from);
+    this->Mesh.GetChains().Append(from, to, side);
+    side.push_back(to);
   }
-  std::vector<Piece> stack = { whole };
-  while (!stack.empty())
+  // All pieces of a needle may be as long as it is, so that each meets as many tetrahedra.
+  constexpr double most = 20.0; // times the length of the whole
+  const std::vector<Triangle> divided = DividePolygon(sides, this->Points);
+  double length = 0.0;
+  for (const Triangle& piece : divided)
   {
-    Piece piece = std::move(stack.back());
-    stack.pop_back();
-    const auto& [a, b, c] = piece.Corners;
-    const int side = this->FindLongestDivided(piece);
-    if (side >= 0)
-    {
-      Divide(piece, side, stack);
-    }
-    else if (a != b && b != c && c != a)
-    {
-      pieces.push_back({ piece.Corners, part.Parent });
-    }
+    length += LongestEdgeOf(piece, this->Points);
+  }
+  if (length > most * LongestEdgeOf(part.Corners, this->Points))
+  {
+    pieces.push_back(part);
+    return;
+  }
+  for (const Triangle& piece : divided)
+  {
+    pieces.push_back({ piece, part.Parent });
   }
 }
 

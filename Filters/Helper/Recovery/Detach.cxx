@@ -24,19 +24,28 @@ using Vertex = PiercedMesh::Vertex;
  */
 bool IsClosed(const Border& border)
 {
-  std::vector<std::pair<int, int>> edges, reversed;
+  using Edge = std::array<int, 3>; // the ends in ascending order; -1 if it goes backwards, else 1
+  std::vector<Edge> edges;
+  edges.reserve(3 * border.size());
   for (const VertexTriangle& t : border)
   {
     for (int i = 0; i < 3; ++i)
     {
       const int a = t[i]->info().Index, b = t[(i + 1) % 3]->info().Index;
-      edges.emplace_back(a, b);
-      reversed.emplace_back(b, a);
+      edges.push_back(a < b ? Edge{ a, b, 1 } : Edge{ b, a, -1 });
     }
   }
   std::sort(edges.begin(), edges.end());
-  std::sort(reversed.begin(), reversed.end());
-  return edges == reversed;
+  int sum = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (i > 0 && (edges[i][0] != edges[i - 1][0] || edges[i][1] != edges[i - 1][1]) && sum != 0)
+    {
+      return false;
+    }
+    sum += edges[i][2];
+  }
+  return sum == 0;
 }
 
 /** Whether both sides of a triangle are walls of the same space. */
@@ -65,6 +74,9 @@ public:
   /** Returns whether the vertex has been detached. */
   bool TryVertex(int vertex, bool mayTakeLong);
 
+  /** The vertices around which cells have been replaced since the last call: 1 by index. */
+  std::vector<char> TakeTouched();
+
 private:
   bool IsInfinite(const Cell& cell) const
   {
@@ -76,6 +88,7 @@ private:
 
   PiercedMesh& Mesh;
   std::set<Cell> Removed;
+  std::vector<char> Touched;
   std::mt19937 Random;
   int SearchesLeft;
 };
@@ -83,7 +96,8 @@ private:
 /** The walls of a space, and the faces at which it ends, except for those at `v`. */
 Border Detacher::MakeBorder(const VertexWalls::Space& space, const Vertex& v) const
 {
-  const std::set<Cell> within(space.Cells.begin(), space.Cells.end());
+  std::vector<Cell> within = space.Cells;
+  std::sort(within.begin(), within.end());
   Border border = space.Walls;
   for (const Cell& cell : space.Cells)
   {
@@ -91,8 +105,12 @@ Border Detacher::MakeBorder(const VertexWalls::Space& space, const Vertex& v) co
     {
       const auto& [a, b, c] = FaceCorners[f];
       const VertexTriangle inward = { cell->vertex(a), cell->vertex(c), cell->vertex(b) };
-      const bool isEnd = within.count(cell->neighbor(f)) == 0 || cell->info().PartOn(f) >= 0;
-      if (isEnd && !Has(inward, v))
+      const auto isEnd = [&]
+      {
+        return cell->info().PartOn(f) >= 0 ||
+          !std::binary_search(within.begin(), within.end(), cell->neighbor(f));
+      };
+      if (!Has(inward, v) && isEnd())
       {
         border.push_back(inward);
       }
@@ -164,7 +182,11 @@ bool Detacher::TryVertex(int vertex, bool mayTakeLong)
     return false;
   }
   std::vector<VertexWalls::Space> spaces = walls.GetSpaces();
-  this->Removed = { walls.GetStar().begin(), walls.GetStar().end() };
+  this->Removed.clear();
+  if (mayTakeLong) // or no space grows
+  {
+    this->Removed.insert(walls.GetStar().begin(), walls.GetStar().end());
+  }
   std::vector<SpaceFilling> fillings;
   for (VertexWalls::Space& space : spaces)
   {
@@ -192,8 +214,27 @@ bool Detacher::TryVertex(int vertex, bool mayTakeLong)
       }
     }
   }
+  this->Touched.resize(this->Mesh.GetParts().GetPoints().size(), 0);
+  for (const Cell& cell : old)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      if (!this->Mesh.GetDelaunay().is_infinite(cell->vertex(i)))
+      {
+        this->Touched[cell->vertex(i)->info().Index] = 1;
+      }
+    }
+  }
   this->Mesh.ReplaceStar(vertex, old, cells, walls.GetParts(), walls.MakeParts());
   return true;
+}
+
+std::vector<char> Detacher::TakeTouched()
+{
+  std::vector<char> touched;
+  touched.swap(this->Touched);
+  touched.resize(this->Mesh.GetParts().GetPoints().size(), 0);
+  return touched;
 }
 
 /** The vertices that were put on M. */
@@ -279,22 +320,27 @@ void DetachAll(PiercedMesh& mesh, int firstAdded, int maximumSearches)
   std::vector<int> added = FindAdded(mesh, firstAdded);
   for (const bool mayTakeLong : { false, true })
   {
-    // Vertices that have gone make room for others.
+    std::vector<int> next = added;
     bool isWorthwhile = !mayTakeLong || static_cast<int>(added.size()) <= maximumSearches;
-    while (isWorthwhile && !added.empty())
+    while (isWorthwhile && !next.empty())
     {
       if (mayTakeLong)
       {
         // Cutting leaves vertices so close to M that there is no room beside them.
-        for (const int vertex : FindFreeNeighbors(mesh, added, firstAdded))
+        for (const int vertex : FindFreeNeighbors(mesh, next, firstAdded))
         {
           detacher.TryVertex(vertex, false);
         }
       }
-      const auto removed = std::count_if(added.begin(), added.end(),
+      const auto removed = std::count_if(next.begin(), next.end(),
         [&](int vertex) { return detacher.TryVertex(vertex, mayTakeLong); });
-      isWorthwhile = 10 * removed >= static_cast<std::ptrdiff_t>(added.size());
+      isWorthwhile = 10 * removed >= static_cast<std::ptrdiff_t>(next.size());
+      // Vertices that have gone make room for others. A search may find now what it has missed.
       added = FindAdded(mesh, firstAdded); // without those that have lost their parts
+      const std::vector<char> touched = detacher.TakeTouched();
+      next.clear();
+      std::copy_if(added.begin(), added.end(), std::back_inserter(next),
+        [&](int vertex) { return mayTakeLong || touched[vertex]; });
     }
   }
 }

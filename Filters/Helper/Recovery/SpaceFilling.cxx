@@ -28,9 +28,11 @@ void SortUnique(std::vector<Vertex>& vertices)
 
 /**
  * The least quality of the tetrahedra between an apex, which can be a vertex of the border, and the
- * triangles of the border; 0 if one of them is not oriented positively.
+ * triangles of the border; 0 if one of them is not oriented positively. One that is not above a floor
+ * may be greater than the least.
  */
-double FindQuality(const Border& border, const Inexact::Point_3& apex, const Vertex& v)
+double FindQuality(
+  const Border& border, const Inexact::Point_3& apex, const Vertex& v, double floor)
 {
   double least = HUGE_VAL;
   for (const VertexTriangle& t : border)
@@ -45,6 +47,10 @@ double FindQuality(const Border& border, const Inexact::Point_3& apex, const Ver
       return 0.0;
     }
     least = std::min(least, QualityOf(corners));
+    if (least <= floor)
+    {
+      return least;
+    }
   }
   return least;
 }
@@ -79,7 +85,7 @@ std::optional<SpaceFilling> FillFromVertex(const Border& border)
   double best = 0.0;
   for (const Vertex& v : vertices)
   {
-    const double quality = FindQuality(border, v->point(), v);
+    const double quality = FindQuality(border, v->point(), v, best);
     apex = quality > best ? v : apex;
     best = std::max(best, quality);
   }
@@ -103,7 +109,7 @@ std::optional<SpaceFilling> FillFromPoint(const Border& border, const Inexact::P
     for (int i = 1; i < closest && quality == 0.0; ++i)
     {
       const Inexact::Point_3 p = from + std::ldexp(1.0, -i) * way;
-      quality = FindQuality(border, p, Vertex());
+      quality = FindQuality(border, p, Vertex(), best);
       apex = quality > best ? p : apex;
       best = std::max(best, quality);
     }

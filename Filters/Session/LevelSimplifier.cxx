@@ -28,6 +28,18 @@ const carving::ResolvedMesh& GetMesh(const DecomposedLeaf<3>& leaf, const Carved
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
 constexpr double Hope = 0.9;
 
+/** The vertices that share their points with others. The points are in ascending order. */
+std::size_t CountCopies(const std::vector<int>& points)
+{
+  std::size_t copies = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    copies += (i > 0 && points[i] == points[i - 1]) ||
+      (i + 1 < points.size() && points[i] == points[i + 1]);
+  }
+  return copies;
+}
+
 DecimationTarget AsDecimationTarget(LevelTarget type)
 {
   return type == LevelTarget::Triangles ? DecimationTarget::Triangles
@@ -73,11 +85,15 @@ LevelSimplifier::LevelSimplifier(
 {
 }
 
-/** Drops the numbers that the topology leaves no hope for. */
+/** Drops the numbers that the topology, and parts that touch each other, leave no hope for. */
 void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
 {
-  // A closed surface has at least four vertices. In practice, each handle keeps about as many.
-  const double least = 4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0);
+  // A closed surface has at least four vertices. In practice, each handle keeps about as many, and
+  // most vertices stay at which parts touch, since neither part can move there.
+  constexpr double staying = 0.6;
+  const double least =
+    std::max(4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0),
+      staying * static_cast<double>(CountCopies(trial.Points)));
   trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
                         [least](double target) { return std::max(target, 4.0) < least; }),
     trial.Targets.end());
@@ -92,6 +108,7 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
   const carving::SurfaceTopology topology = carving::MeasureSurface(cut);
   trial.SurfaceComponents = topology.Components;
   trial.SurfaceGenus = topology.Genus;
+  trial.Points = cut.Points;
   if (type != LevelTarget::ErrorBound)
   {
     DropNumbersOutOfReach(trial);
@@ -100,7 +117,6 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
   {
     return std::nullopt;
   }
-  trial.Points = cut.Points;
   for (const carving::FaceLife<3>& face : level.Faces)
   {
     trial.Cells.push_back(carving::CellWithDataOf(stream, face));

@@ -91,16 +91,18 @@ void Decimator::PushBound(HalfEdge edge)
 }
 
 /**
- * Pushes all edges that are not in the queue. Returns false if none has collapsed since the last
- * time.
+ * Pushes all edges that are not in the queue. Returns false if hardly any has collapsed since the
+ * last time.
  */
 bool Decimator::Refill()
 {
-  if (this->VerticesAtRefill == this->Surface.number_of_vertices())
+  constexpr double hardlyAny = 0.01; // vertices that have gone, per vertex
+  const double count = this->Surface.number_of_vertices();
+  if (this->VerticesAtRefill - count <= hardlyAny * count)
   {
     return false;
   }
-  this->VerticesAtRefill = this->Surface.number_of_vertices();
+  this->VerticesAtRefill = count;
   for (const auto edge : this->Surface.edges())
   {
     if (!this->Queue.Contains(edge))
@@ -125,7 +127,7 @@ bool Decimator::Run(const std::function<bool()>& goOn)
           return false;
         }
         this->UsesEnds = true;
-        this->VerticesAtRefill = 0;
+        this->AllowRefill();
       }
       next = this->Queue.Pop();
     }

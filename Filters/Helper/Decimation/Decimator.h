@@ -44,7 +44,7 @@ public:
   void SetErrorBound(double bound)
   {
     this->ErrorBound = bound;
-    this->VerticesAtRefill = 0; // edges may collapse now that could not before
+    this->AllowRefill();
   }
 
   /** Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. */
@@ -77,6 +77,11 @@ private:
   void AddPlanes();
   LocalError ErrorOf(HalfEdge edge) const;
   void PushBound(HalfEdge edge);
+  /** Records that edges may collapse now that could not before. */
+  void AllowRefill()
+  {
+    this->VerticesAtRefill = std::numeric_limits<double>::infinity();
+  }
   bool Refill();
   bool IsWithinErrorBound(const Star& star, const Point& w) const;
   bool IsValid(const Star& star, const Point& w) const;
@@ -104,7 +109,7 @@ private:
   Point Origin;                  ///< of the quadrics
   double Area = 0.0;             ///< of the surface before the first collapse
   std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
-  SurfaceMesh::size_type VerticesAtRefill = 0;
+  double VerticesAtRefill = std::numeric_limits<double>::infinity();
   bool UsesEnds = false; ///< whether edges also collapse into their ends
 };
 

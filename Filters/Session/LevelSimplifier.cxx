@@ -89,11 +89,10 @@ LevelSimplifier::LevelSimplifier(
 void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
 {
   // A closed surface has at least four vertices. In practice, each handle keeps about as many, and
-  // most vertices stay at which parts touch, since neither part can move there.
-  constexpr double staying = 0.6;
+  // about as many stay as there are vertices at which parts touch, since neither part can move.
   const double least =
     std::max(4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0),
-      staying * static_cast<double>(CountCopies(trial.Points)));
+      static_cast<double>(CountCopies(trial.Points)));
   trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
                         [least](double target) { return std::max(target, 4.0) < least; }),
     trial.Targets.end());

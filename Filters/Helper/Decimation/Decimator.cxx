@@ -122,7 +122,7 @@ bool Decimator::Run(const std::function<bool()>& goOn)
     {
       if (!this->Refill())
       {
-        if (this->UsesEnds && !this->Place.Widen())
+        if (this->UsesEnds && !this->Place.Widen(this->Surface.number_of_vertices()))
         {
           return false;
         }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace carving::helper
@@ -23,6 +24,13 @@ constexpr double Pull = 1e-3;
  * grows where no edge can collapse: few vertices around a round mesh are far from the mesh.
  */
 constexpr double LeastSlack = 1e-3, GreatestSlack = 1.0, SlackRatio = 10.0;
+
+/**
+ * The greatest product of slack and number of vertices that grows. The distance between a sphere and
+ * n vertices around it is about 1 / n of its diameter: where more vertices are stuck, more slack
+ * leads to spikes.
+ */
+constexpr double MostSlackOfAll = 10.0;
 
 /**
  * Rounded positions on the planes of faces are on the wrong side of some. Planes are therefore
@@ -83,10 +91,11 @@ Placement::Placement(const std::vector<Point>& points, const Obstacle& obstacle)
 {
 }
 
-bool Placement::Widen()
+bool Placement::Widen(std::size_t vertices)
 {
   const double wider = SlackRatio * this->Slack;
-  if (wider > 1.01 * GreatestSlack * this->Diagonal)
+  if (wider > 1.01 * GreatestSlack * this->Diagonal ||
+    static_cast<double>(vertices) * this->Slack > MostSlackOfAll * this->Diagonal)
   {
     return false;
   }

@@ -40,9 +40,9 @@ public:
 
   /**
    * Lets positions be farther from the obstacle. Returns false if they may be as far as is
-   * sensible.
+   * sensible for a number of vertices.
    */
-  bool Widen();
+  bool Widen(std::size_t vertices);
 
   /** The least error of any position. */
   static double FindLeastError(const LocalError& error);

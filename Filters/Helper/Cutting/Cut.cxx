@@ -46,8 +46,8 @@ public:
   /** Gives the part back to the mesh as faces. Returns whether that succeeded. */
   bool TryPart(const Part& part);
 
-  /** Gives parts back as they are, except for vertices on their edges. */
-  void GiveUp(
+  /** Gives parts back as they are, except for vertices on their edges. Returns needles instead. */
+  std::vector<Part> GiveUp(
     const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress);
 
   std::size_t GetEffort() const
@@ -57,7 +57,7 @@ public:
 
 private:
   bool TryOnce(const Part& part);
-  void DivideAtEdges(const Part& part, std::vector<Part>& pieces) const;
+  bool DivideAtEdges(const Part& part, std::vector<Part>& pieces) const;
 
   const std::vector<Point>& Points;
   CutMesh Mesh;
@@ -121,8 +121,8 @@ bool Cutter::TryPart(const Part& part)
   return isDone;
 }
 
-/** Adds the pieces of a part between the vertices on its edges, or the part as it is. */
-void Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
+/** Adds the pieces of a part between the vertices on its edges. Returns false if it is a needle. */
+bool Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
 {
   Sides sides;
   for (int i = 0; i < 3; ++i)
@@ -142,24 +142,28 @@ void Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
   }
   if (length > most * LongestEdgeOf(part.Corners, this->Points))
   {
-    pieces.push_back(part);
-    return;
+    return false;
   }
   for (const Triangle& piece : divided)
   {
     pieces.push_back({ piece, part.Parent });
   }
+  return true;
 }
 
-void Cutter::GiveUp(
+std::vector<Part> Cutter::GiveUp(
   const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress)
 {
-  std::vector<Part> pieces;
+  std::vector<Part> pieces, needles;
   for (const Part& part : parts)
   {
-    this->DivideAtEdges(part, pieces);
+    if (!this->DivideAtEdges(part, pieces))
+    {
+      needles.push_back(part);
+    }
   }
   this->Mesh.GetMesh().GiveParts(pieces, threads, progress);
+  return needles;
 }
 
 /** The area that cutting meets for its effort. */
@@ -227,7 +231,7 @@ std::vector<Part> TakeInOrder(PiercedMesh& mesh, std::vector<int> missing)
 
 } // namespace
 
-void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits, int threads,
+std::vector<Part> Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits, int threads,
   const std::function<bool(double)>& progress)
 {
   Yield yield(mesh, limits.LeastYield);
@@ -259,7 +263,7 @@ void Cut(PiercedMesh& mesh, double tolerance, const CutLimits& limits, int threa
       break;
     }
   }
-  cutter.GiveUp(parts, threads, [&](double) { return progress(1.0); });
+  return cutter.GiveUp(parts, threads, [&](double) { return progress(1.0); });
 }
 
 } // namespace carving::helper

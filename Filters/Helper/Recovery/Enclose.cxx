@@ -165,12 +165,13 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   if (mayAddPoints)
   {
     const std::size_t most = MaximumPointsAdded(input.Points.size());
-    Cut(mesh, CutTolerance * length, { MaximumCuts, most, LeastYield }, threads,
-      PartOf(progress, 0.2, 0.7));
+    const std::vector<Subdivision::Part> needles = Cut(mesh, CutTolerance * length,
+      { MaximumCuts, most, LeastYield }, threads, PartOf(progress, 0.2, 0.7));
     if (!crosses)
     {
       DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
     }
+    mesh.GiveParts(needles, threads, PartOf(progress, 0.7, 0.7));
     HalveKept(mesh, distance, bound, most, threads, PartOf(progress, 0.7, 0.8));
     // Further points take the surface much closer than it has to be: to a quarter, and then to a
     // tenth. Their number is bounded by the size of the mesh.

@@ -63,9 +63,9 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort, int 
     constexpr std::ptrdiff_t stepsPerFacet = 30; // cutting takes less time than more steps
     Recover(mesh, stepsPerFacet * static_cast<std::ptrdiff_t>(facets), PartOf(progress, 0.4, 0.6));
     const std::size_t most = 100000 + 10 * facets;
-    Cut(mesh, CutTolerance * Diagonal(surface.Points), { most, most }, threads,
-      PartOf(progress, 0.6, 0.9));
-    missing = CountTriangles(mesh, mesh.FindMissing());
+    const std::vector<Subdivision::Part> needles = Cut(mesh,
+      CutTolerance * Diagonal(surface.Points), { most, most }, threads, PartOf(progress, 0.6, 0.9));
+    missing = CountTriangles(mesh, mesh.FindMissing()) + needles.size();
     if (missing == 0)
     {
       constexpr int searches = 500;

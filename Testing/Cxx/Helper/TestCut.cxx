@@ -150,7 +150,7 @@ TEST(Cut, MeetsTrianglesThatCross)
     const ResolvedMesh input = Clean(AsResolved(RandomTriangles(2 + random() % 15, random)));
     PiercedMesh mesh = MakePierced(input);
     const double volume = SixVolumeOf(mesh);
-    Cut(mesh, 1e-12, { 1000000, 100000 }, 2, Proceed);
+    mesh.GiveParts(Cut(mesh, 1e-12, { 1000000, 100000 }, 2, Proceed), 2, Proceed);
     EXPECT_NEAR(SixVolumeOf(mesh), volume, 1e-9 * volume);
     all += input.Facets.size();
     met += input.Facets.size() - FindUnmet(mesh).size();
@@ -192,7 +192,7 @@ TEST(Cut, MeetsTrianglesThatOverlapInAPlane)
     const TriangleMesh turned = Turned(boxes, angle(random), angle(random));
     PiercedMesh mesh = MakePierced(
       Clean(AsResolved(models::Joined(turned, models::Box({ -9, -8, -7 }, { 9, 8, 7 })))));
-    Cut(mesh, 1e-11, { 1000000, 100000 }, 2, Proceed);
+    mesh.GiveParts(Cut(mesh, 1e-11, { 1000000, 100000 }, 2, Proceed), 2, Proceed);
     all += 3 * 12; // three boxes
     met += 3 * 12 - FindUnmet(mesh).size();
   }
@@ -220,7 +220,7 @@ TEST(Cut, EndsAtNearlyCoincidentVertices)
     const ResolvedMesh input = Clean(AsResolved(soup));
     PiercedMesh mesh = MakePierced(input);
     const double volume = SixVolumeOf(mesh);
-    Cut(mesh, 1e-12, { 1000000, 100000 }, 2, Proceed);
+    mesh.GiveParts(Cut(mesh, 1e-12, { 1000000, 100000 }, 2, Proceed), 2, Proceed);
     EXPECT_NEAR(SixVolumeOf(mesh), volume, 1e-9 * volume);
     EXPECT_EQ(checks::CountCrossings(mesh.GetParts().GetPoints(), FindFaces(mesh)), 0);
   }
@@ -240,7 +240,7 @@ TEST(Cut, MakesFacesOfCoveredTriangles)
       box.Triangles[i + 1] = { b, c, d };
     }
     PiercedMesh mesh = MakePierced(Clean(AsResolved(box)));
-    Cut(mesh, 1e-12, { 1000, 1000 }, 2, Proceed);
+    mesh.GiveParts(Cut(mesh, 1e-12, { 1000, 1000 }, 2, Proceed), 2, Proceed);
     EXPECT_EQ(mesh.FindMissing(), std::vector<int>());
     EXPECT_NEAR(SixVolumeOf(mesh), 36.0, 1e-9);
   }
@@ -257,7 +257,8 @@ TEST(Cut, KeepsTheMeshValid)
       Clean(AsResolved(models::Soup(2 + static_cast<int>(random() % 30), random)));
     PiercedMesh mesh = MakePierced(input);
     const double volume = SixVolumeOf(mesh);
-    Cut(mesh, 1e-12 * Diagonal(input.Points), { 1000000, 100000 }, 2, Proceed);
+    mesh.GiveParts(
+      Cut(mesh, 1e-12 * Diagonal(input.Points), { 1000000, 100000 }, 2, Proceed), 2, Proceed);
     EXPECT_NEAR(SixVolumeOf(mesh), volume, 1e-9 * volume);
     EXPECT_TRUE(
       std::equal(input.Points.begin(), input.Points.end(), mesh.GetParts().GetPoints().begin()));
@@ -271,7 +272,7 @@ TEST(Cut, RespectsItsLimit)
   const ResolvedMesh input = Clean(AsResolved(models::Soup(10, random)));
   PiercedMesh mesh = MakePierced(input);
   const std::set<int> before = FindUnmet(mesh);
-  Cut(mesh, 1e-12, { 0, 100000 }, 2, Proceed);
+  mesh.GiveParts(Cut(mesh, 1e-12, { 0, 100000 }, 2, Proceed), 2, Proceed);
   EXPECT_EQ(FindUnmet(mesh), before);
   EXPECT_EQ(mesh.GetParts().GetPoints(), input.Points);
 }

@@ -28,7 +28,8 @@ namespace
 PiercedMesh MakeCut(const ResolvedMesh& input)
 {
   PiercedMesh mesh(input, {}, 2, Proceed);
-  Cut(mesh, 1e-12 * Diagonal(input.Points), { 1000000, 100000 }, 2, Proceed);
+  mesh.GiveParts(
+    Cut(mesh, 1e-12 * Diagonal(input.Points), { 1000000, 100000 }, 2, Proceed), 2, Proceed);
   return mesh;
 }
 

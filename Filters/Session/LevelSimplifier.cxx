@@ -28,7 +28,7 @@ const carving::ResolvedMesh& GetMesh(const DecomposedLeaf<3>& leaf, const Carved
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
 constexpr double Hope = 0.9;
 
-/** The vertices that share their points with others. The points are in ascending order. */
+/** Counts the vertices that share their points with others. The points are in ascending order. */
 std::size_t CountCopies(const std::vector<int>& points)
 {
   std::size_t copies = 0;
@@ -88,8 +88,8 @@ LevelSimplifier::LevelSimplifier(
 /** Drops the numbers that the topology, and parts that touch each other, leave no hope for. */
 void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
 {
-  // A closed surface has at least four vertices. In practice, each handle keeps about as many, and
-  // about as many stay as there are vertices at which parts touch, since neither part can move.
+  // A closed surface has at least four vertices. In practice, each handle keeps about as many.
+  // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
   const double least =
     std::max(4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0),
       static_cast<double>(CountCopies(trial.Points)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Cutting/Cut.h"
 
+#include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Cutting/DividePolygon.h"
 #include "Helper/Cutting/Patch.h"
@@ -21,22 +22,18 @@ using Part = Subdivision::Part;
  */
 constexpr std::size_t LeastEffort = 300000, EffortPerPart = 200;
 
-double LongestEdgeOf(const Triangle& t, const std::vector<Point>& points)
+double LengthOf(const Triangle& t, const std::vector<Point>& points)
 {
-  double longest = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    longest = std::max(longest, Length(points[t[i]] - points[t[(i + 1) % 3]]));
-  }
-  return longest;
+  const FacetCorners<3> corners = carving::CornersOf<3>(points, t);
+  const int side = LongestSide<3>(corners);
+  return Length(corners[(side + 1) % 3] - corners[side]);
 }
 
 class Cutter
 {
 public:
   Cutter(PiercedMesh& mesh, double tolerance)
-    : Points(mesh.GetParts().GetPoints())
-    , Mesh(mesh, tolerance)
+    : Mesh(mesh, tolerance)
   {
   }
 
@@ -46,7 +43,7 @@ public:
   /** Gives the part back to the mesh as faces. Returns whether that succeeded. */
   bool TryPart(const Part& part);
 
-  /** Gives parts back as they are, except for vertices on their edges. Returns needles instead. */
+  /** Gives parts back, divided at the vertices on their edges, but not needles: returns these. */
   std::vector<Part> GiveUp(
     const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress);
 
@@ -59,7 +56,6 @@ private:
   bool TryOnce(const Part& part);
   bool DivideAtEdges(const Part& part, std::vector<Part>& pieces) const;
 
-  const std::vector<Point>& Points;
   CutMesh Mesh;
 };
 
@@ -132,15 +128,15 @@ bool Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
     this->Mesh.GetChains().Append(from, to, side);
     side.push_back(to);
   }
-  // All pieces of a needle may be as long as it is, so that each meets as many tetrahedra.
-  constexpr double most = 20.0; // times the length of the whole
-  const std::vector<Triangle> divided = DividePolygon(sides, this->Points);
+  constexpr double most = 20.0; // of all pieces, in lengths of the whole
+  const std::vector<Point>& points = this->Mesh.GetMesh().GetParts().GetPoints();
+  const std::vector<Triangle> divided = DividePolygon(sides, points);
   double length = 0.0;
   for (const Triangle& piece : divided)
   {
-    length += LongestEdgeOf(piece, this->Points);
+    length += LengthOf(piece, points);
   }
-  if (length > most * LongestEdgeOf(part.Corners, this->Points))
+  if (length > most * LengthOf(part.Corners, points))
   {
     return false;
   }

@@ -33,9 +33,10 @@ struct CutLimits
  * pierce tetrahedra, or lie on faces that extend beyond them. What is within `tolerance`, a length,
  * of a part counts as being on it. The result does not depend on `threads`.
  *
- * Takes needles that resist from the mesh, and returns them: where an edge of theirs has become a
- * chain of edges, their pieces would meet as many tetrahedra each as the whole. Detaching the
- * vertices of the chains first, and giving the needles back then, is faster and meets more.
+ * Returns the needles among them instead, without any trace in the mesh. Vertices along a needle
+ * would divide it into pieces that are as long as itself, and each of them would meet as many
+ * tetrahedra. The caller gives needles back, after vertices have been detached if they will be:
+ * a needle in the mesh keeps the vertices around it from being detached.
  */
 [[nodiscard]] std::vector<Subdivision::Part> Cut(PiercedMesh& mesh, double tolerance,
   const CutLimits& limits, int threads, const std::function<bool(double)>& progress);

@@ -56,6 +56,10 @@ public:
   {
     return this->Mesh;
   }
+  const PiercedMesh& GetMesh() const
+  {
+    return this->Mesh;
+  }
   Chains& GetChains()
   {
     return this->Edges;

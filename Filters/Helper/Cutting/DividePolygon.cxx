@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/Vector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -12,7 +13,7 @@ namespace carving::helper
 namespace
 {
 
-/** A vertex of a polygon: its side, and its place there; not the last one, which the next side has. */
+/** A vertex of a polygon: its side, and its place there. A corner belongs to the side it begins. */
 struct Place
 {
   std::size_t Side, At;
@@ -35,7 +36,7 @@ std::size_t FindLongestDivided(const Sides& polygon, const std::vector<Point>& p
   return longest;
 }
 
-/** The vertex closest to another one, among those that are on no side of it; with its distance. */
+/** The closest vertex to another one that shares no side with it, and the distance. */
 std::pair<Place, double> FindClosest(
   const Sides& polygon, const Place& from, const std::vector<Point>& points)
 {
@@ -50,7 +51,7 @@ std::pair<Place, double> FindClosest(
     {
       continue;
     }
-    const std::size_t first = s == after ? 1 : 0; // since the corner is on the side of `from`, too
+    const std::size_t first = s == after ? 1 : 0; // the corner ends the side of `from`
     for (std::size_t i = first; i + 1 < polygon[s].size(); ++i)
     {
       const double distance = Length(points[polygon[s][i]] - p);
@@ -80,6 +81,13 @@ Sides PieceBetween(const Sides& polygon, const Place& from, const Place& to)
   }
   piece.push_back({ last[to.At], first[from.At] });
   return piece;
+}
+
+bool IsTriangle(const Sides& polygon)
+{
+  return polygon.size() == 3 &&
+    std::all_of(polygon.begin(), polygon.end(),
+      [](const std::vector<int>& side) { return side.size() == 2; });
 }
 
 /**
@@ -118,7 +126,7 @@ std::vector<Triangle> DividePolygon(const Sides& polygon, const std::vector<Poin
   {
     const Sides piece = std::move(stack.back());
     stack.pop_back();
-    if (piece.size() > 3 || FindLongestDivided(piece, points) < piece.size())
+    if (!IsTriangle(piece))
     {
       const auto [from, to] = FindDiagonal(piece, points);
       stack.push_back(PieceBetween(piece, from, to));

@@ -24,7 +24,7 @@ using Vertex = PiercedMesh::Vertex;
  */
 bool IsClosed(const Border& border)
 {
-  using Edge = std::array<int, 3>; // the ends in ascending order; -1 if it goes backwards, else 1
+  using Edge = std::array<int, 3>; // the lesser end, the greater one, and the direction: 1 or -1
   std::vector<Edge> edges;
   edges.reserve(3 * border.size());
   for (const VertexTriangle& t : border)
@@ -183,7 +183,7 @@ bool Detacher::TryVertex(int vertex, bool mayTakeLong)
   }
   std::vector<VertexWalls::Space> spaces = walls.GetSpaces();
   this->Removed.clear();
-  if (mayTakeLong) // or no space grows
+  if (mayTakeLong) // spaces grow only then
   {
     this->Removed.insert(walls.GetStar().begin(), walls.GetStar().end());
   }

@@ -28,8 +28,8 @@ void SortUnique(std::vector<Vertex>& vertices)
 
 /**
  * The least quality of the tetrahedra between an apex, which can be a vertex of the border, and the
- * triangles of the border; 0 if one of them is not oriented positively. One that is not above a floor
- * may be greater than the least.
+ * triangles of the border; 0 if one of them is not oriented positively. Ends at the first quality
+ * that is not above `floor`, and returns it.
  */
 double FindQuality(
   const Border& border, const Inexact::Point_3& apex, const Vertex& v, double floor)

@@ -82,13 +82,14 @@ require_packages() {
 }
 
 # build NAME [CMAKE_OPTION...]: configures and builds everything, or only $targets, of the project or of the folder
-# $source, in a folder of that name.
+# $source, in a folder of that name. Unity builds take a quarter of the time, nearly all of which goes into headers.
 build() {
   local directory=$build_root/$1 log=$build_root/$1.log
   shift
   say "Building in $directory"
   {
-    cmake -S "${source:-$root}" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache "$@" &&
+    cmake -S "${source:-$root}" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
+      -DCMAKE_UNITY_BUILD=ON "$@" &&
       ninja -C "$directory" ${targets:-}
   } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; the whole log is $log"; }
 }

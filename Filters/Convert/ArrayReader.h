@@ -25,8 +25,8 @@ struct Demand
   std::function<bool(double value, vtkIdType entry)> IsMet;
 };
 
-/** Integers from one number to another, both included. */
-Demand IntegersFrom(int least, int greatest);
+/** Integers from one number to another, both included, or to the greatest there is. */
+Demand IntegersFrom(int least, int greatest = VTK_INT_MAX);
 
 /** Finite numbers of at least 0. */
 Demand FiniteMeasures();

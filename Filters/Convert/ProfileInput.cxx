@@ -13,8 +13,6 @@
 namespace
 {
 
-constexpr int MaxInt = std::numeric_limits<int>::max();
-
 /** An array with a count for each step, which no step has fewer than. */
 struct CountArray
 {
@@ -35,7 +33,7 @@ constexpr CountArray CountArrays[] = {
 vtkIdType CountSteps(vtkFieldData* fieldData)
 {
   vtkAbstractArray* priorities = fieldData->GetAbstractArray(StreamArrays::ProfilePriority);
-  return std::clamp<vtkIdType>(priorities ? priorities->GetNumberOfTuples() : 0, 1, MaxInt);
+  return std::clamp<vtkIdType>(priorities ? priorities->GetNumberOfTuples() : 0, 1, VTK_INT_MAX);
 }
 
 /** Finite numbers that are not negative, each no greater than the one before. */
@@ -71,7 +69,7 @@ carving::PriorityMeasure ReadProfile(
   reader.Read(fieldData, StreamArrays::Measure, 1, IntegersFrom(0, 3), measures);
   for (const auto& [name, least, counts] : CountArrays)
   {
-    reader.Read(fieldData, name, steps, IntegersFrom(least, MaxInt), profile.*counts);
+    reader.Read(fieldData, name, steps, IntegersFrom(least), profile.*counts);
   }
   reader.Read(fieldData, StreamArrays::ProfileVolume, steps, FallingMeasures(), profile.Volume);
   if (fieldData->HasArray(StreamArrays::ProfileError))

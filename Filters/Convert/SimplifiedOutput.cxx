@@ -10,12 +10,9 @@
 #include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <limits>
-
 namespace
 {
 
-constexpr int MaxInt = std::numeric_limits<int>::max();
 constexpr int StepNumbers = 6;  ///< step, vertices, triangles, collapses, points, faces
 constexpr int FaceNumbers = 6;  ///< three corners, cell, birth, death
 constexpr int LevelNumbers = 5; ///< index, collapses, error, last step, target
@@ -56,7 +53,7 @@ Arrays ReadArrays(vtkUnstructuredGrid* grid, const carving::Profile& profile, Ar
   vtkFieldData* fieldData = grid->GetFieldData();
   const auto count = [&](const char* name) { return CountTuples(fieldData, name); };
   reader.Read(fieldData, StreamArrays::SimplifiedSteps, count(StreamArrays::SimplifiedSteps),
-    IntegersFrom(0, MaxInt), arrays.Steps, StepNumbers);
+    IntegersFrom(0), arrays.Steps, StepNumbers);
   vtkIdType points = 0, faces = 0;
   for (std::size_t i = 0; i < arrays.Steps.size(); i += StepNumbers)
   {
@@ -69,8 +66,8 @@ Arrays ReadArrays(vtkUnstructuredGrid* grid, const carving::Profile& profile, Ar
   }
   reader.Read(fieldData, StreamArrays::SimplifiedPoints, points,
     IntegersFrom(0, static_cast<int>(grid->GetNumberOfPoints()) - 1), arrays.Points);
-  reader.Read(fieldData, StreamArrays::SimplifiedFaces, faces, IntegersFrom(0, MaxInt),
-    arrays.Faces, FaceNumbers);
+  reader.Read(
+    fieldData, StreamArrays::SimplifiedFaces, faces, IntegersFrom(0), arrays.Faces, FaceNumbers);
   reader.Read(fieldData, StreamArrays::SimplifiedLevels, count(StreamArrays::SimplifiedLevels),
     FiniteMeasures(), arrays.Levels, LevelNumbers);
   return arrays;

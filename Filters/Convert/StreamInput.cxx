@@ -17,12 +17,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace
 {
-
-constexpr int MaxInt = std::numeric_limits<int>::max();
 
 std::string Number(vtkIdType number)
 {
@@ -118,10 +115,10 @@ void ReadOrder(vtkUnstructuredGrid* grid, int lastStep, ArrayReader& reader,
   reader.Read(cellData, StreamArrays::Priority, count,
     Priorities([&](vtkIdType i) { return i < cells && order.Step[i] > 0; }), order.Priority);
   reader.Read(cellData, StreamArrays::Depth, count, FiniteMeasures(), order.Depth);
-  reader.Read(cellData, StreamArrays::Region, count, IntegersFrom(-1, MaxInt), stream.Regions);
+  reader.Read(cellData, StreamArrays::Region, count, IntegersFrom(-1), stream.Regions);
   reader.Read(cellData, StreamArrays::SolidSides, count, IntegersFrom(0, 3), solidSides);
   reader.Read(grid->GetPointData(), StreamArrays::OriginalPoints, grid->GetNumberOfPoints(),
-    IntegersFrom(-1, MaxInt), stream.Mesh.Surface.PointSources);
+    IntegersFrom(-1), stream.Mesh.Surface.PointSources);
 }
 
 /** Checks the arrays that levels get unchanged. */
@@ -130,8 +127,7 @@ void CheckPassedOn(vtkUnstructuredGrid* grid, ArrayReader& reader)
   vtkPointData* pointData = grid->GetPointData();
   vtkCellData* cellData = grid->GetCellData();
   vtkFieldData* fieldData = grid->GetFieldData();
-  reader.Check(
-    cellData, StreamArrays::OriginalCells, grid->GetNumberOfCells(), IntegersFrom(-1, MaxInt));
+  reader.Check(cellData, StreamArrays::OriginalCells, grid->GetNumberOfCells(), IntegersFrom(-1));
   reader.CheckLengths(cellData, grid->GetNumberOfCells());
   reader.CheckLengths(pointData, grid->GetNumberOfPoints());
   if (fieldData->HasArray(StreamArrays::Strategy))
@@ -224,7 +220,7 @@ std::string ReadParts(vtkUnstructuredGrid* grid, carving::StoredStream<D>& strea
   carving::Profile& profile, carving::SimplifiedStream& simplified)
 {
   // The faces of cells are numbered, too.
-  if (grid->GetNumberOfPoints() > MaxInt || grid->GetNumberOfCells() > MaxInt / (D + 1))
+  if (grid->GetNumberOfPoints() > VTK_INT_MAX || grid->GetNumberOfCells() > VTK_INT_MAX / (D + 1))
   {
     return "it has more points or cells than a 32-bit integer can count.";
   }

@@ -13,13 +13,13 @@ namespace
 {
 
 /** What is known of a face's distance. */
-struct Candidate
+struct FaceBound
 {
   double Upper;
   int Face;
   int Queries; ///< that went into it; -1 if no more can make it better
 
-  bool operator<(const Candidate& other) const
+  bool operator<(const FaceBound& other) const
   {
     return this->Upper < other.Upper;
   }
@@ -68,7 +68,7 @@ bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, 
     return farthest + BallRadius<D>(CornersOf<D>(points, face.Corners));
   };
 
-  std::priority_queue<Candidate> candidates;
+  std::priority_queue<FaceBound> candidates;
   errors.assign(stream.Order.StepPriority.size(), 0.0);
   std::size_t next = 0;
   for (int step = 0; step < static_cast<int>(errors.size()); ++step)
@@ -83,7 +83,7 @@ bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, 
     }
     while (!candidates.empty())
     {
-      const Candidate top = candidates.top();
+      const FaceBound top = candidates.top();
       const FaceLife<D>& face = faces[top.Face];
       if (face.Death > step && top.Queries < 0)
       {

@@ -76,7 +76,7 @@ std::vector<FacetClass> GroupByClass(const ResolvedMesh& surface, const std::vec
     const std::size_t index = classes[facet];
     groups.resize(std::max(groups.size(), index + 1));
     areas.resize(groups.size(), -1.0);
-    const double area = TwiceArea(CornersOf<3>(surface.Points, surface.Facets[facet]));
+    const double area = TwiceArea(carving::CornersOf<3>(surface.Points, surface.Facets[facet]));
     if (area > areas[index])
     {
       areas[index] = area;
@@ -92,8 +92,8 @@ bool IsOnClass(const ResolvedMesh& surface, const FacetClass& facets, int point,
 {
   const auto isOn = [&](int facet)
   {
-    return IsOn(
-      CornersOf<3>(surface.Points, surface.Facets[facet]), surface.Points[point], rounding);
+    return IsOn(carving::CornersOf<3>(surface.Points, surface.Facets[facet]), surface.Points[point],
+      rounding);
   };
   return isOn(facets.Largest) || std::any_of(facets.Facets.begin(), facets.Facets.end(), isOn);
 }
@@ -107,7 +107,8 @@ void Orient(const ResolvedMesh& surface, FacetClass& facets)
   std::vector<Triangle>& parts = facets.Parts;
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto cornersOf = [&](const Triangle& t) { return CornersOf<3>(surface.Points, t); };
+  const auto cornersOf = [&](const Triangle& t)
+  { return carving::CornersOf<3>(surface.Points, t); };
   std::sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b)
     { return TwiceArea(cornersOf(parts[a])) > TwiceArea(cornersOf(parts[b])); });
@@ -240,7 +241,7 @@ std::vector<int> FindFacetClasses(const ResolvedMesh& surface)
   for (std::size_t i = 0; i < surface.Facets.size(); ++i)
   {
     const int source = surface.FacetSources[i];
-    const Corners3 corners = ToInexact(CornersOf<3>(surface.Points, surface.Facets[i]));
+    const Corners3 corners = ToInexact(carving::CornersOf<3>(surface.Points, surface.Facets[i]));
     const bool alike = FaceAlike(first.emplace(source, corners).first->second, corners);
     const auto key =
       std::make_tuple(source, surface.SignedMultiplicities[i], surface.Multiplicities[i], alike);

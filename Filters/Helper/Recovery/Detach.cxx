@@ -148,7 +148,7 @@ std::optional<SpaceFilling> Detacher::Fill(
   }
   if (this->IsInfinite(space.Cells.front()))
   {
-    return MakeStar(border, this->Mesh.GetDelaunay().infinite_vertex(), {});
+    return MakeStar(border, this->Mesh.GetDelaunay().infinite_vertex(), CGAL::ORIGIN);
   }
   std::optional<SpaceFilling> filling;
   if (!HasBothSides(space.Walls)) // or no star could have the wall between its tetrahedra

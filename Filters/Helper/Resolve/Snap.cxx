@@ -47,7 +47,7 @@ double DistanceFromSources(const ResolvedMesh& given, const ResolvedMesh& mesh)
     const auto source =
       std::lower_bound(given.FacetSources.begin(), given.FacetSources.end(), mesh.FacetSources[i]);
     const FacetCorners<3> whole =
-      CornersOf<3>(given.Points, given.Facets[source - given.FacetSources.begin()]);
+      carving::CornersOf<3>(given.Points, given.Facets[source - given.FacetSources.begin()]);
     for (const int corner : mesh.Facets[i])
     {
       farthest = std::max(farthest, DistanceTo(whole, mesh.Points[corner]));

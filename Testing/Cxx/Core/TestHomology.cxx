@@ -26,7 +26,8 @@ std::vector<Simplex> Simplices(const models::TriangleMesh& mesh)
   return simplices;
 }
 
-void ExpectBettiNumbers(const std::vector<Simplex>& simplices, const BettiNumbers& expected)
+void ExpectBettiNumbers(
+  const std::vector<Simplex>& simplices, const homology::BettiNumbers& expected)
 {
   EXPECT_EQ(ComputeBettiNumbers(simplices), expected);
   EXPECT_EQ(ComputeBettiNumbers(simplices, false), expected);

@@ -68,7 +68,7 @@ carving::Point GetPoint(vtkPolyData* contours, vtkIdType i)
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> Polygons(const std::vector<Loop>& loops)
+vtkSmartPointer<vtkPolyData> MakePolygons(const std::vector<Loop>& loops)
 {
   return MakeContours(loops, true);
 }

@@ -15,7 +15,7 @@
 using Loop = std::vector<carving::Point>;
 
 /** Each loop becomes a polygon, or a polyline from its first to its last point. */
-vtkSmartPointer<vtkPolyData> Polygons(const std::vector<Loop>& loops);
+vtkSmartPointer<vtkPolyData> MakePolygons(const std::vector<Loop>& loops);
 vtkSmartPointer<vtkPolyData> Polylines(const std::vector<Loop>& loops);
 
 Loop Rectangle(double x0, double y0, double x1, double y1);

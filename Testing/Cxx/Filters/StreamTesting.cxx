@@ -17,7 +17,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStream(bool plane)
   if (plane)
   {
     carver = vtkSmartPointer<vtkContourCarver>::New();
-    mesh = Polygons({ LetterU(), Rectangle(5, 0, 6, 2) });
+    mesh = MakePolygons({ LetterU(), Rectangle(5, 0, 6, 2) });
   }
   else
   {

@@ -36,7 +36,7 @@ void AskForAllSteps(vtkContourCarver* carver, vtkPolyData* input)
 /** A star with a hole, next to a square. */
 vtkSmartPointer<vtkPolyData> Medley()
 {
-  return Polygons({ Star(), Reversed(Rectangle(-0.2, -0.2, 0.2, 0.2)), Rectangle(3, 1, 4, 2) });
+  return MakePolygons({ Star(), Reversed(Rectangle(-0.2, -0.2, 0.2, 0.2)), Rectangle(3, 1, 4, 2) });
 }
 
 double DistanceToEdges(vtkPolyData* contours, const double p[3])
@@ -55,11 +55,11 @@ double DistanceToEdges(vtkPolyData* contours, const double p[3])
 // The first level of a U is its hull, the last the U itself.
 TEST(ContourCarver, GoesFromTheHullToTheInput)
 {
-  auto input = Polygons({ LetterU() });
+  auto input = MakePolygons({ LetterU() });
   const auto carver = Carve<vtkContourCarver>(input);
   // The upper side of the hull passes through the four upper corners of the arms.
-  const EdgeSet hull = Edges(
-    Polygons({ { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { 0, 2, 0 } } }));
+  const EdgeSet hull = Edges(MakePolygons(
+    { { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 2, 2, 0 }, { 1, 2, 0 }, { 0, 2, 0 } } }));
   EXPECT_EQ(Edges(GetLevel(carver, 0)), hull);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
@@ -67,36 +67,36 @@ TEST(ContourCarver, GoesFromTheHullToTheInput)
 // Whatever the direction of a polygon, its inside is solid and on the left of the edges.
 TEST(ContourCarver, OrientsLevelsOutward)
 {
-  const auto carver = Carve<vtkContourCarver>(Polygons({ Reversed(LetterU()) }));
-  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
+  const auto carver = Carve<vtkContourCarver>(MakePolygons({ Reversed(LetterU()) }));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(MakePolygons({ LetterU() })));
 }
 
 // The hole of a square is carved, and stays filled without CarveVoids.
 TEST(ContourCarver, CarvesHoles)
 {
-  auto input = Polygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
+  auto input = MakePolygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
   const auto carver = Carve<vtkContourCarver>(input);
-  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(MakePolygons({ Rectangle(0, 0, 4, 4) })));
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   carver->CarveVoidsOff();
   carver->Update();
-  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(MakePolygons({ Rectangle(0, 0, 4, 4) })));
 }
 
 // With a budget of one component, two squares stay joined; without tunnels, the hole of a frame
 // stays filled.
 TEST(ContourCarver, KeepsToBudgets)
 {
-  auto input = Polygons({ Rectangle(0, 0, 1, 1), Rectangle(3, 0, 4, 1) });
+  auto input = MakePolygons({ Rectangle(0, 0, 1, 1), Rectangle(3, 0, 4, 1) });
   const auto carver = Carve<vtkContourCarver>(input);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   carver->SetMaximumComponents(1);
   carver->Update();
   EXPECT_GT(Area(LastLevel(carver)), 2.0);
-  auto frame = Polygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
+  auto frame = MakePolygons({ Rectangle(0, 0, 4, 4), Reversed(Rectangle(1, 1, 2, 2)) });
   carver->SetMaximumTunnels(0);
   Carve(carver, frame);
-  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ Rectangle(0, 0, 4, 4) })));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(MakePolygons({ Rectangle(0, 0, 4, 4) })));
 }
 
 // A square within a square of the same direction is solid by winding, a hole by parity, and carved
@@ -104,7 +104,7 @@ TEST(ContourCarver, KeepsToBudgets)
 TEST(ContourCarver, FollowsTheSolidRule)
 {
   const auto carver =
-    Carve<vtkContourCarver>(Polygons({ Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 2) }));
+    Carve<vtkContourCarver>(MakePolygons({ Rectangle(0, 0, 4, 4), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(Area(LastLevel(carver)), 16.0);
   carver->SetSolidRule(vtkContourCarver::EVEN_ODD);
   carver->Update();
@@ -124,7 +124,7 @@ TEST(ContourCarver, ResolvesCrossings)
   vtkNew<vtkContourCarver> carver;
   carver->ManifoldOutputOff();
   Carve(carver, input);
-  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Rectangle(0, 0, 2, 2) })));
+  EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(MakePolygons({ Rectangle(0, 0, 2, 2) })));
   vtkPolyData* last = LastLevel(carver);
   EXPECT_EQ(Edges(last),
     Edges(Polylines(
@@ -201,7 +201,7 @@ TEST(ContourCarver, CutsIntoClosedLoops)
 TEST(ContourCarver, CutsTouchingSquaresApart)
 {
   const auto carver =
-    Carve<vtkContourCarver>(Polygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
+    Carve<vtkContourCarver>(MakePolygons({ Rectangle(0, 0, 1, 1), Rectangle(1, 1, 2, 2) }));
   EXPECT_EQ(LastLevel(carver)->GetNumberOfPoints(), 8);
   EXPECT_EQ(GetFieldValue(LastLevel(carver), "Vertices"), 7);
   EXPECT_EQ(GetFieldValue(LastLevel(carver), "SurfaceComponents"), 2);

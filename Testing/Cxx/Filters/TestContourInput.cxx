@@ -41,9 +41,9 @@ TEST(ContourInput, WorksInAnyPlane)
   const Loop hole = Reversed(Rectangle(0.2, 0.3, 0.6, 0.7));
   for (const auto& [u, v] : directions)
   {
-    auto input = Polygons({ Mapped(letterL, u, v), Mapped(hole, u, v) });
+    auto input = MakePolygons({ Mapped(letterL, u, v), Mapped(hole, u, v) });
     const auto carver = Carve<vtkContourCarver>(input);
-    EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(Polygons({ Mapped(hull, u, v) })));
+    EXPECT_EQ(Edges(GetLevel(carver, 0)), Edges(MakePolygons({ Mapped(hull, u, v) })));
     EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
   }
 }
@@ -53,7 +53,7 @@ TEST(ContourInput, StartsFromABox)
 {
   vtkNew<vtkContourCarver> carver;
   carver->SetInitialApproximation(vtkContourCarver::BOUNDING_BOX);
-  auto input = Polygons({ Rectangle(0, 0, 3, 4) });
+  auto input = MakePolygons({ Rectangle(0, 0, 3, 4) });
   Carve(carver, input);
   double bounds[6];
   GetLevel(carver, 0)->GetBounds(bounds);
@@ -73,12 +73,13 @@ TEST(ContourInput, StartsFromAGivenContour)
   vtkNew<vtkContourCarver> carver;
   carver->SetInitialApproximation(vtkContourCarver::CUSTOM);
   // Not convex, clockwise, and touching the input at (0, 0).
-  auto initial = Polygons({ Reversed({ { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } }) });
-  auto input = Polygons({ Rectangle(0, 0, 2, 2) });
+  auto initial =
+    MakePolygons({ Reversed({ { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } }) });
+  auto input = MakePolygons({ Rectangle(0, 0, 2, 2) });
   carver->SetInputData(1, initial);
   Carve(carver, input);
   EXPECT_EQ(Edges(GetLevel(carver, 0)),
-    Edges(Polygons({ { { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } } })));
+    Edges(MakePolygons({ { { 0, 0, 0 }, { 9, -1, 0 }, { 3, 3, 0 }, { -1, 9, 0 } } })));
   EXPECT_EQ(GetFieldValue(GetLevel(carver, 0), "NewVertices"), 3);
   EXPECT_EQ(Edges(LastLevel(carver)), Edges(input));
 }
@@ -89,20 +90,20 @@ TEST(ContourInput, NamesWhatAGivenContourLacks)
   const auto square = Rectangle(-9, -9, 9, 9);
   const std::pair<vtkSmartPointer<vtkPolyData>, const char*> cases[] = {
     { Polylines({ square }), "is not closed" },
-    { Polygons({ square, Rectangle(20, 20, 30, 30) }), "is in 2 pieces" },
-    { Polygons({ { { -9, -9, 0 }, { 9, 9, 0 }, { 9, -9, 0 }, { -9, 9, 0 } } }),
+    { MakePolygons({ square, Rectangle(20, 20, 30, 30) }), "is in 2 pieces" },
+    { MakePolygons({ { { -9, -9, 0 }, { 9, 9, 0 }, { 9, -9, 0 }, { -9, 9, 0 } } }),
       "crosses or touches itself at (0, 0)" },
-    { Polygons({ Rectangle(0.5, 0.5, 9, 9) }), "does not contain the input" },
-    { Polygons({ Rectangle(5, 5, 9, 9) }), "does not contain the input" },
-    { Polygons({ Rectangle(0, 0, 0, 0) }), "has no edge" },
-    { Polygons({ { { -9, -9, 1 }, { 9, -9, 1 }, { 0, 9, 1 } } }), "plane of the input" },
+    { MakePolygons({ Rectangle(0.5, 0.5, 9, 9) }), "does not contain the input" },
+    { MakePolygons({ Rectangle(5, 5, 9, 9) }), "does not contain the input" },
+    { MakePolygons({ Rectangle(0, 0, 0, 0) }), "has no edge" },
+    { MakePolygons({ { { -9, -9, 1 }, { 9, -9, 1 }, { 0, 9, 1 } } }), "plane of the input" },
   };
   for (const auto& [initial, expected] : cases)
   {
     vtkNew<vtkContourCarver> carver;
     carver->SetInitialApproximation(vtkContourCarver::CUSTOM);
     carver->SetInputData(1, initial);
-    const std::string error = CarveWithError(carver, Polygons({ Rectangle(0, 0, 1, 1) }));
+    const std::string error = CarveWithError(carver, MakePolygons({ Rectangle(0, 0, 1, 1) }));
     EXPECT_TRUE(Has(error, "The initial approximation on port 1"));
     EXPECT_TRUE(Has(error, expected));
   }
@@ -112,7 +113,7 @@ TEST(ContourInput, NamesWhatAGivenContourLacks)
 TEST(ContourInput, NamesAPointOffThePlane)
 {
   vtkNew<vtkContourCarver> carver;
-  const auto input = Polygons({ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0 } } });
+  const auto input = MakePolygons({ { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0.1 }, { 0, 1, 0 } } });
   // The distance from the plane of the three other points: 0.1 / sqrt(1.01).
   EXPECT_TRUE(Has(CarveWithError(carver, input), "Point 3 is 0.0995037 away"));
 }
@@ -133,7 +134,7 @@ TEST(ContourInput, RejectsALineAPointAndInfinity)
 // Vertices and strips are ignored with a note, ghost cells without.
 TEST(ContourInput, PassesOverWhatIsNoContour)
 {
-  auto input = Polygons({ LetterU(), Rectangle(7, 7, 8, 8) });
+  auto input = MakePolygons({ LetterU(), Rectangle(7, 7, 8, 8) });
   vtkNew<vtkCellArray> verts, strips;
   verts->InsertNextCell({ 0 });
   input->SetVerts(verts);
@@ -141,6 +142,6 @@ TEST(ContourInput, PassesOverWhatIsNoContour)
   input->SetStrips(strips);
   SetGhosts(input, [](vtkIdType i) { return i == 2 ? vtkDataSetAttributes::DUPLICATECELL : 0; });
   const auto carver = Carve<vtkContourCarver>(input);
-  EXPECT_EQ(Edges(LastLevel(carver)), Edges(Polygons({ LetterU() })));
+  EXPECT_EQ(Edges(LastLevel(carver)), Edges(MakePolygons({ LetterU() })));
   EXPECT_TRUE(Has(GetNotes(carver), "2 cells were ignored"));
 }

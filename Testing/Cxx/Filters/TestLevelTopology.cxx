@@ -152,7 +152,7 @@ TEST(LevelTopology, ComputesTheErrorOfContours)
 {
   vtkNew<vtkContourCarver> carver;
   carver->ComputeErrorOn();
-  Carve(carver, Polygons({ Rectangle(0, 0, 1, 1), Rectangle(2, 0, 3, 1) }));
+  Carve(carver, MakePolygons({ Rectangle(0, 0, 1, 1), Rectangle(2, 0, 3, 1) }));
   const vtkIdType last = GetProfile(carver)->GetNumberOfRows() - 1;
   EXPECT_GE(GetProfileValue(carver, 0, "Error"), 0.5 * (1.0 - 1e-12));
   EXPECT_LE(GetProfileValue(carver, 0, "Error"), 0.505);

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The README lists all errors, warnings and notes of the filters and the helper program.
 
-Environment variables name the folder of the sources (ROOT), the test program of the filters (FILTER_TESTS) and the
-command-line program (CARVE).
+Environment variables name the folder of the sources (ROOT), the one with the messages that the tests of the filters
+have provoked (MESSAGES), and the command-line program (CARVE).
 """
 import glob
 import os
@@ -63,17 +63,15 @@ def is_listed(message):
                for quote in quoted()[0])
 
 
-def messages_of_tests(folder):
-    """The errors, warnings and notes that the tests of the filters provoke."""
-    log = os.path.join(folder, "log")
-    run = subprocess.run([os.environ["FILTER_TESTS"], "--gtest_filter=-Image.*"], capture_output=True, text=True,
-                         env={**os.environ, "TOPOLOGYCARVING_MESSAGE_LOG": log})
-    if run.returncode != 0:
-        raise AssertionError("tests failed:\n" + "\n".join(re.findall(r"^\[  FAILED.*", run.stdout, re.M)))
-    with open(log, encoding="utf-8") as file:
-        # VTK writes the place in the source and the address of the filter before an error.
-        return {re.sub(r"\A(ERROR|Warning): .*?\(0x\w+\): ", "", text, flags=re.S).strip()
-                for text in file.read().split("\0")[:-1]}
+def messages_of_tests():
+    """The errors, warnings and notes that the tests of the filters have provoked."""
+    messages = set()
+    for name in glob.glob(os.path.join(os.environ["MESSAGES"], "*")):
+        with open(name, encoding="utf-8") as file:
+            # VTK writes the place in the source and the address of the filter before an error.
+            messages |= {re.sub(r"\A(ERROR|Warning): .*?\(0x\w+\): ", "", text, flags=re.S).strip()
+                         for text in file.read().split("\0")[:-1]}
+    return messages
 
 
 def message_of_carve(*arguments, **environment):
@@ -93,7 +91,7 @@ class TestProvokedMessages(unittest.TestCase):
     def setUpClass(cls):
         bones = os.path.join(os.environ["MESHES"], "bones.off")
         with tempfile.TemporaryDirectory() as folder:
-            cls.messages = messages_of_tests(folder)
+            cls.messages = messages_of_tests()
             cls.messages.add(message_without_helper(folder, bones))
             cls.messages.add(message_of_carve(bones, "--profile", os.path.join(folder, "a.png"), DISPLAY=":7654"))
 

@@ -32,9 +32,13 @@ constexpr const char* HelperVariable = "TOPOLOGYCARVING_HELPER";
 
 void Log(const std::string& message)
 {
-  if (const char* name = std::getenv("TOPOLOGYCARVING_MESSAGE_LOG"))
+  const char* folder = std::getenv("TOPOLOGYCARVING_MESSAGE_LOGS");
+  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+  if (folder && test)
   {
-    std::ofstream(name, std::ios::app) << message << '\0';
+    static std::ofstream log(
+      std::string(folder) + "/" + test->test_suite_name() + "." + test->name());
+    log << message << '\0' << std::flush;
   }
 }
 

@@ -61,8 +61,8 @@ void ExpectSameLevelsFromStream(vtkCarverAlgorithm* carver);
 
 /**
  * Collects the errors and warnings of a filter instead of printing them. Errors, warnings and notes
- * are also written to the file that TOPOLOGYCARVING_MESSAGE_LOG names, for the test that compares
- * them with the README.
+ * are also written to a file of the first test that runs, in the folder that
+ * TOPOLOGYCARVING_MESSAGE_LOGS names, for the test that compares them with the README.
  */
 class Messages
 {

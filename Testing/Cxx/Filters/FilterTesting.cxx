@@ -36,9 +36,12 @@ void Log(const std::string& message)
   const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
   if (folder && test)
   {
-    static std::ofstream log(
-      std::string(folder) + "/" + test->test_suite_name() + "." + test->name());
-    log << message << '\0' << std::flush;
+    // Tests count open files, so none stays open.
+    static std::ios::openmode mode = std::ios::trunc;
+    std::ofstream(std::string(folder) + "/" + test->test_suite_name() + "." + test->name(),
+      std::ios::out | mode)
+      << message << '\0';
+    mode = std::ios::app;
   }
 }
 

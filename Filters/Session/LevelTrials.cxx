@@ -62,6 +62,21 @@ void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, 
   }
 }
 
+using TargetIterator = std::vector<SimplifiedTarget>::const_iterator;
+
+/** Adds the targets of a range that have this last step to the trial of `step`. */
+void AddTargets(
+  std::vector<LevelTrial>& trials, int lastStep, int step, TargetIterator begin, TargetIterator end)
+{
+  for (auto target = begin; target != end; ++target)
+  {
+    if (target->LastStep == lastStep)
+    {
+      AddTarget(trials, *target, step);
+    }
+  }
+}
+
 /** The steps that are decimated for a target at first, from fine to coarse. */
 std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
 {
@@ -140,6 +155,13 @@ int CountVertices(const LevelTrial& trial, const DecimatedSurface& surface)
   return trial.Result.Chain.Vertices - surface.Collapses;
 }
 
+/** Whether a surface for `value` may be taken for a target: for this value, or a smaller number. */
+bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTarget& target)
+{
+  return value == target.Value ||
+    (target.Type != LevelTarget::ErrorBound && value < target.Value && surface.Reached);
+}
+
 bool IsBetter(
   LevelTarget type, const LevelTrial& trial, const DecimatedSurface& surface, const BestTrial& best)
 {
@@ -154,29 +176,26 @@ bool IsBetter(
 
 } // namespace
 
-const DecimatedSurface* LevelTrial::Find(double target) const
-{
-  const auto found = std::find(this->Targets.begin(), this->Targets.end(), target);
-  const std::size_t index = found - this->Targets.begin();
-  return index < this->Result.Surfaces.size() ? &this->Result.Surfaces[index] : nullptr;
-}
-
 std::vector<LevelTrial> PlanTrials(
   const Profile& profile, const std::vector<SimplifiedTarget>& targets)
 {
   std::vector<LevelTrial> trials;
-  for (const SimplifiedTarget& target : targets)
+  for (auto target = targets.begin(); target != targets.end(); ++target)
   {
-    for (const int step : SelectSteps(profile, target))
+    // A step that is good for a coarse level may be better for a finer one than any other, too.
+    const bool isNumber = target->Type != LevelTarget::ErrorBound;
+    const auto end = isNumber ? targets.end() : target + 1;
+    for (const int step : SelectSteps(profile, *target))
     {
-      AddTarget(trials, target, step);
+      AddTargets(trials, target->LastStep, step, target, end);
     }
-    if (target.Type != LevelTarget::ErrorBound)
+    if (isNumber)
     {
-      const carving::SelectedStep carved = carving::SelectStep(profile, target.Type, target.Value);
-      if (carved.Problem.empty() && carved.Step < target.LastStep)
+      const carving::SelectedStep carved =
+        carving::SelectStep(profile, target->Type, target->Value);
+      if (carved.Problem.empty() && carved.Step < target->LastStep)
       {
-        AddTarget(trials, target, carved.Step);
+        AddTargets(trials, target->LastStep, carved.Step, target, end);
       }
     }
   }
@@ -197,13 +216,9 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
       best.Trial ? FindStepsBetween(profile, trials, *best.Trial) : std::vector<int>())
     {
       // A coarser level may not come from a later step, so the coarser targets are tried as well.
-      for (auto coarser = targets.begin(); coarser <= target; ++coarser)
-      {
-        if (coarser->LastStep == target->LastStep)
-        {
-          AddTarget(added, *coarser, step);
-        }
-      }
+      const bool isNumber = target->Type != LevelTarget::ErrorBound;
+      AddTargets(
+        added, target->LastStep, step, targets.begin(), isNumber ? targets.end() : target + 1);
     }
   }
   return added;
@@ -215,11 +230,15 @@ BestTrial FindBestTrial(
   BestTrial best;
   for (const LevelTrial& trial : trials)
   {
-    const DecimatedSurface* surface = trial.Find(target.Value);
-    if (surface && trial.Step <= std::min(lastStep, target.LastStep) &&
-      (!best.Trial || IsBetter(target.Type, trial, *surface, best)))
+    const std::vector<DecimatedSurface>& surfaces = trial.Result.Surfaces;
+    const std::size_t end = trial.Step <= std::min(lastStep, target.LastStep) ? surfaces.size() : 0;
+    for (std::size_t i = 0; i < end; ++i)
     {
-      best = { &trial, surface };
+      if (MayServe(surfaces[i], trial.Targets[i], target) &&
+        (!best.Trial || IsBetter(target.Type, trial, surfaces[i], best)))
+      {
+        best = { &trial, &surfaces[i] };
+      }
     }
   }
   return best;

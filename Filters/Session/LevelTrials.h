@@ -29,9 +29,6 @@ struct LevelTrial
   std::vector<int> Cells;  ///< per face of the step's surface: the cell of the stored stream
   int SurfaceComponents = 0;
   int SurfaceGenus = 0;
-
-  /** The surface for a target; null if there is none. */
-  const carving::DecimatedSurface* Find(double target) const;
 };
 
 /**
@@ -57,8 +54,9 @@ struct BestTrial
 };
 
 /**
- * The best trial of a step up to `lastStep` for a target: one that reaches the target, and has the
- * smallest distance from M, or, within an error bound, the fewest vertices.
+ * The best trial of a step up to `lastStep` for a target, and its surface for this or a smaller
+ * number: one that reaches the number, and has the smallest distance from M, or, within an error
+ * bound, the fewest vertices.
  */
 BestTrial FindBestTrial(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);

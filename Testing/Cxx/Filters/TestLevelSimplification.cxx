@@ -5,6 +5,7 @@
  * with the helper.
  */
 #include "FilterTesting.h"
+#include "RandomModels.h"
 #include "Shapes.h"
 
 #include "vtkCellData.h"
@@ -20,6 +21,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -127,6 +129,32 @@ TEST(LevelSimplification, IsCloserThanASubset)
   CarveTo(subset, vtkTopologyCarver::VERTICES, 120);
   EXPECT_LT(
     GetFieldValue(LastLevel(simplified), "Error"), GetFieldValue(LastLevel(subset), "Error"));
+}
+
+// A level with more vertices is never farther from the mesh, also where parts of the surface touch.
+TEST(LevelSimplification, IsNeverFartherWithMoreVertices)
+{
+  std::mt19937_64 random(18);
+  int compared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const std::vector<double> targets = { 60, 90, 130, 200, 300 };
+    vtkNew<vtkTopologyCarver> carver;
+    CarveSimplified(
+      carver, vtkTopologyCarver::VERTICES, targets, ToPolyData(models::Soup(40, random)));
+    double least = HUGE_VAL;
+    for (int level = 0; level < CountLevels(carver); ++level)
+    {
+      const double error = GetFieldValue(GetLevel(carver, level), "Error");
+      if (GetFieldValue(GetLevel(carver, level), "Vertices") <= targets[level])
+      {
+        EXPECT_LE(error, least) << "soup " << i << ", level " << level;
+        least = error;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GE(compared, 9);
 }
 
 // Numbers below that of the convex hull are reached, too.

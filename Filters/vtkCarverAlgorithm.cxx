@@ -49,7 +49,8 @@ static_assert(IsSame(Filter::CONVEX_HULL, InitialApproximation::ConvexHull) &&
 static_assert(IsSame(Filter::LONGEST_EDGE, PriorityMeasure::LongestEdge) &&
   IsSame(Filter::VOLUME, PriorityMeasure::Volume) &&
   IsSame(Filter::CIRCUMRADIUS, PriorityMeasure::Circumradius) &&
-  IsSame(Filter::EDGE_VOLUME, PriorityMeasure::EdgeVolume));
+  IsSame(Filter::EDGE_VOLUME, PriorityMeasure::EdgeVolume) &&
+  IsSame(Filter::EDGE_DISTANCE, PriorityMeasure::EdgeDistance));
 static_assert(IsSame(Filter::NONZERO_WINDING, SolidRule::NonzeroWinding) &&
   IsSame(Filter::EVEN_ODD, SolidRule::EvenOdd) &&
   IsSame(Filter::SURFACE_ONLY, SolidRule::SurfaceOnly));
@@ -224,7 +225,6 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.AppendInput = this->AppendInput;
   settings.TimeLimit = this->TimeLimit;
   settings.MemoryLimit = this->MemoryLimit;
-  settings.Carve.Measure = static_cast<carving::PriorityMeasure>(this->PriorityMeasure);
   settings.Carve.DepthExponent = this->DepthExponent;
   settings.Carve.BreadthRadius = this->BreadthRadius;
   settings.Carve.CarveExposed = this->CarveExposed;
@@ -237,6 +237,10 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.LevelTargets = this->Targets;
   settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
   settings.Simplify = this->LevelSimplification == ENCLOSING_COLLAPSE;
+  const int measure = this->PriorityMeasure != AUTO_MEASURE ? this->PriorityMeasure
+    : settings.Simplify                                     ? EDGE_DISTANCE
+                                                            : LONGEST_EDGE;
+  settings.Carve.Measure = static_cast<carving::PriorityMeasure>(measure);
   settings.MaximumVertices = this->MaximumVertices;
   const bool both = this->KeepBothFoldSides == AUTO
     ? carving::HasLimits(settings.Carve.Budget) || settings.Simplify

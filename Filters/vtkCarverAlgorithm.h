@@ -41,7 +41,9 @@ public:
     LONGEST_EDGE = 0,
     VOLUME = 1,
     CIRCUMRADIUS = 2,
-    EDGE_VOLUME = 3
+    EDGE_VOLUME = 3,
+    EDGE_DISTANCE = 4,
+    AUTO_MEASURE = 5
   };
 
   /** The depth d of a tetrahedron (section 5.3). */
@@ -128,8 +130,8 @@ public:
   /**
    * The measure q(t) of a tetrahedron t. The tetrahedron with the highest priority is carved first
    * (section 4).
-   * - LONGEST_EDGE (default): the length l of the longest edge. Wide gaps open before narrow ones,
-   *   and the measure varies little between neighbors.
+   * - LONGEST_EDGE: the length l of the longest edge. Wide gaps open before narrow ones, and the
+   *   measure varies little between neighbors.
    * - VOLUME: the volume v. Most of the volume is removed early. The measure varies much between
    *   neighbors, which leaves sharp features.
    * - CIRCUMRADIUS: the radius of the circumscribed sphere, at most the diagonal of the hull. The
@@ -137,8 +139,13 @@ public:
    * - EDGE_VOLUME: the geometric mean of l and the cube root of v, which are the two terms of the
    *   paper. Slivers have long edges and small volumes, so that they are carved later than with
    *   LONGEST_EDGE.
+   * - EDGE_DISTANCE: the geometric mean of l and the distance of the centroid from M. Tetrahedra
+   *   that have long edges because the triangles of M have are carved later than with LONGEST_EDGE,
+   *   so that levels come closer to M with fewer vertices. Not in the paper.
+   * - AUTO_MEASURE (default): EDGE_DISTANCE with LevelSimplification ENCLOSING_COLLAPSE, and
+   *   LONGEST_EDGE otherwise.
    */
-  vtkSetClampMacro(PriorityMeasure, int, LONGEST_EDGE, EDGE_VOLUME);
+  vtkSetClampMacro(PriorityMeasure, int, LONGEST_EDGE, AUTO_MEASURE);
   vtkGetMacro(PriorityMeasure, int);
   ///@}
 
@@ -571,7 +578,7 @@ protected:
   bool IsUpToDate(vtkInformationVector** in);
 
   int InitialApproximation = CONVEX_HULL;
-  int PriorityMeasure = LONGEST_EDGE;
+  int PriorityMeasure = AUTO_MEASURE;
   double DepthExponent = 0.0;
   int DepthMeasure = HIERARCHY;
   double BreadthRadius = 0.0;

@@ -65,11 +65,13 @@ std::vector<vtkCarverProperty> MakeProperties()
       "The solid part of the space that the mesh encloses: where the winding number is at least "
       "one half in magnitude, where an odd number of surfaces lies between a point and the "
       "outside, or nowhere." },
-    { NAMED(PriorityMeasure), { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME" }, 0, 0,
-      NotStored,
+    { NAMED(PriorityMeasure),
+      { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME", "EDGE_DISTANCE", "AUTO_MEASURE" },
+      0, 0, NotStored,
       "The tetrahedra that are carved first: those with the longest edge, the largest volume, the "
       "largest circumscribed sphere, or the largest geometric mean of the longest edge and the "
-      "cube root of the volume. (Section 4)" },
+      "cube root of the volume, or of the longest edge and the distance from the mesh. "
+      "auto-measure: the last one with --simplify, else the first. (Section 4)" },
     { NAMED(DepthExponent), NoChoices, 0.0, VTK_DOUBLE_MAX, Stored,
       "Divides every priority by the depth to the power of this number, so that carving advances "
       "more evenly from all sides. (Section 5.3)" },

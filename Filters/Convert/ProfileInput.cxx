@@ -66,7 +66,7 @@ carving::PriorityMeasure ReadProfile(
   reader.Read(fieldData, StreamArrays::ProfilePriority, steps,
     Priorities([](vtkIdType step) { return step > 0; }), priorities);
   std::vector<int> measures;
-  reader.Read(fieldData, StreamArrays::Measure, 1, IntegersFrom(0, 3), measures);
+  reader.Read(fieldData, StreamArrays::Measure, 1, IntegersFrom(0, 4), measures);
   for (const auto& [name, least, counts] : CountArrays)
   {
     reader.Read(fieldData, name, steps, IntegersFrom(least), profile.*counts);

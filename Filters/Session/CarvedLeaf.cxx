@@ -31,6 +31,7 @@ bool Carve(const carving::Decomposition<D>& mesh, const carving::Classification&
   const CarverSettings& settings, CarverStages& stages, carving::Stream& stream)
 {
   carving::CarveOptions options = settings.Carve;
+  options.Threads = settings.ThreadsOfLeaf;
   if (settings.DepthIsDistance)
   {
     options.Depths = ComputeInitialDistances(mesh);

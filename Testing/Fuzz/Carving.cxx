@@ -23,7 +23,7 @@ double DrawUpToHuge(Bytes& bytes, int count, double unit)
 CarveOptions DrawOptions(Bytes& bytes, std::size_t numberOfCells)
 {
   CarveOptions options;
-  options.Measure = static_cast<PriorityMeasure>(bytes.Below(4));
+  options.Measure = static_cast<PriorityMeasure>(bytes.Below(5));
   options.DepthExponent = DrawUpToHuge(bytes, 6, 0.5);
   options.BreadthRadius = DrawUpToHuge(bytes, 8, 0.3);
   options.CarveExposed = bytes.Bit();

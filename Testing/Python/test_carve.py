@@ -186,7 +186,7 @@ class TestCarve(CarveTestCase):
         """Every value of a property option is accepted and changes the table of the bones."""
         plain = self.table(BONES)
         for option, values in (("--initial-approximation", ("bounding-box",)),
-                               ("--priority-measure", ("volume", "circumradius", "edge-volume")),
+                               ("--priority-measure", ("volume", "circumradius", "edge-volume", "edge-distance")),
                                ("--depth-exponent", ("2", "0.5")),
                                ("--breadth-radius", ("0.5",)),
                                ("--maximum-components", ("1", "5")),

@@ -95,7 +95,7 @@ class TestPanels(unittest.TestCase):
         """Every enumeration offers all values of the filter, under their names."""
         known = {
             "SetInitialApproximation": "CONVEX_HULL BOUNDING_BOX CUSTOM",
-            "SetPriorityMeasure": "LONGEST_EDGE VOLUME CIRCUMRADIUS EDGE_VOLUME",
+            "SetPriorityMeasure": "LONGEST_EDGE VOLUME CIRCUMRADIUS EDGE_VOLUME EDGE_DISTANCE AUTO_MEASURE",
             "SetDepthMeasure": "HIERARCHY DISTANCE",
             "SetSolidRule": "NONZERO_WINDING EVEN_ODD SURFACE_ONLY",
             "SetConformity": "EXACT ENCLOSING AUTO",

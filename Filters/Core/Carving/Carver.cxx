@@ -120,7 +120,8 @@ public:
 private:
   void PrepareCells()
   {
-    const std::vector<double> measure = ComputePriorities(this->Mesh, this->Options.Measure);
+    const std::vector<double> measure =
+      ComputePriorities(this->Mesh, this->Options.Measure, this->Options.Threads);
     this->Cells.resize(measure.size());
     for (std::size_t cell = 0; cell < this->Cells.size(); ++cell)
     {

@@ -22,6 +22,7 @@ namespace carving
 struct CarveOptions
 {
   PriorityMeasure Measure = PriorityMeasure::LongestEdge;
+  int Threads = 1; ///< for the measure; the stream does not depend on it
   /**
    * dp >= 0 of equation (2), section 5.3: the measure is divided by the depth to the power of dp.
    */

@@ -3,6 +3,8 @@
 
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/FacetTree.h"
+#include "Core/Mesh/ForEach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,13 +50,38 @@ double Circumradius(const CellCorners<2>& p)
   return Length(p[1] - p[0]) * Length(p[2] - p[1]) * Length(p[0] - p[2]) / (4.0 * Size(p));
 }
 
+/** The distance of each cell's centroid from M. */
+template <int D>
+std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
+{
+  const FacetTree<D> tree(mesh.Unresolved.Facets.empty() ? mesh.Surface : mesh.Unresolved);
+  std::vector<double> distances(mesh.Cells.size());
+  constexpr int part = 1024; // cells that a thread takes at a time
+  const int count = static_cast<int>(distances.size());
+  ForEach(threads, (count + part - 1) / part,
+    [&](int i)
+    {
+      for (int cell = i * part; cell < std::min((i + 1) * part, count); ++cell)
+      {
+        distances[cell] = tree.Find(mesh.Centroid(cell)).Distance;
+      }
+    });
+  return distances;
+}
+
 } // namespace
 
 template <int D>
-std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure)
+std::vector<double> ComputePriorities(
+  const Decomposition<D>& mesh, PriorityMeasure measure, int threads)
 {
   const double diagonal = Diagonal(mesh.Surface.Points);
   std::vector<double> priorities(mesh.Cells.size());
+  std::vector<double> distances;
+  if (measure == PriorityMeasure::EdgeDistance)
+  {
+    distances = MeasureDistances(mesh, threads);
+  }
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
     const CellCorners<D> p = CornersOfCell(mesh, static_cast<int>(cell));
@@ -75,13 +102,16 @@ std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeas
       case PriorityMeasure::EdgeVolume:
         priorities[cell] = std::sqrt(LongestEdge<D>(p) * SizeAsLength<D>(Size(p)));
         break;
+      case PriorityMeasure::EdgeDistance:
+        priorities[cell] = std::sqrt(LongestEdge<D>(p) * distances[cell]);
+        break;
     }
   }
   return priorities;
 }
 
-template std::vector<double> ComputePriorities<2>(const Decomposition<2>&, PriorityMeasure);
-template std::vector<double> ComputePriorities<3>(const Decomposition<3>&, PriorityMeasure);
+template std::vector<double> ComputePriorities<2>(const Decomposition<2>&, PriorityMeasure, int);
+template std::vector<double> ComputePriorities<3>(const Decomposition<3>&, PriorityMeasure, int);
 
 template <int D>
 double PriorityAsLength(double priority, PriorityMeasure measure)

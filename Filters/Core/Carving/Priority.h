@@ -20,16 +20,21 @@ enum class PriorityMeasure : int
   Volume = 1,      ///< v, the volume or area
   Circumradius =
     2, ///< r, the radius of the circumscribed sphere or circle, at most the hull's diagonal
-  EdgeVolume = 3 ///< the geometric mean of l and v as a length
+  EdgeVolume = 3,  ///< the geometric mean of l and v as a length
+  EdgeDistance = 4 ///< that of l and the distance of the centroid from M; not in the paper
 };
 
-/** The measure q of every cell, regardless of depth. Finite and not negative. */
+/**
+ * The measure q of every cell, regardless of depth. Finite and not negative. The result does not
+ * depend on `threads`.
+ */
 template <int D>
-std::vector<double> ComputePriorities(const Decomposition<D>& mesh, PriorityMeasure measure);
+std::vector<double> ComputePriorities(
+  const Decomposition<D>& mesh, PriorityMeasure measure, int threads = 1);
 
 /**
- * A priority as a length: l, the D-th root of v, 2 r, or the value of EdgeVolume itself. Not in the
- * paper.
+ * A priority as a length: l, the D-th root of v, 2 r, or the value of EdgeVolume or EdgeDistance
+ * itself. Not in the paper.
  */
 template <int D>
 double PriorityAsLength(double priority, PriorityMeasure measure);

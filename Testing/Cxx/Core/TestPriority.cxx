@@ -33,6 +33,15 @@ TEST(Priority, OfACubesCornerIsKnown)
   EXPECT_NEAR(Measure(Corner, PriorityMeasure::EdgeVolume), std::sqrt(l * std::cbrt(v)), 1e-15);
 }
 
+// The distance of the centroid counts from the nearest triangle of M.
+TEST(Priority, TakesTheDistanceFromTheMesh)
+{
+  // The corner's base: the centroid is a quarter of the height above it.
+  const auto mesh = small::Assemble(Corner, { { 0, 1, 2, 3 } }, { { 0, 2, 1 } });
+  EXPECT_NEAR(ComputePriorities(mesh, PriorityMeasure::EdgeDistance, 2)[0],
+    std::sqrt(std::sqrt(2.0) / 4.0), 1e-15);
+}
+
 // All four are finite for a flat tetrahedron, even one on a line; the radius is then the diagonal.
 TEST(Priority, IsFiniteForFlatTetrahedra)
 {

@@ -126,8 +126,9 @@ TEST(CarvingProperties, GiveFeatureSizeAsALength)
 {
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(ReadReal("elephant.off"));
-  for (const int measure : { vtkTopologyCarver::LONGEST_EDGE, vtkTopologyCarver::VOLUME,
-         vtkTopologyCarver::CIRCUMRADIUS, vtkTopologyCarver::EDGE_VOLUME })
+  for (const int measure :
+    { vtkTopologyCarver::LONGEST_EDGE, vtkTopologyCarver::VOLUME, vtkTopologyCarver::CIRCUMRADIUS,
+      vtkTopologyCarver::EDGE_VOLUME, vtkTopologyCarver::EDGE_DISTANCE })
   {
     carver->SetPriorityMeasure(measure);
     carver->Update();
@@ -200,7 +201,7 @@ TEST(CarvingProperties, AreClamped)
   carver->SetNumberOfLevels(0);
   EXPECT_EQ(carver->GetDepthExponent(), 0.0);
   EXPECT_EQ(carver->GetBreadthRadius(), 0.0);
-  EXPECT_EQ(carver->GetPriorityMeasure(), vtkTopologyCarver::EDGE_VOLUME);
+  EXPECT_EQ(carver->GetPriorityMeasure(), vtkTopologyCarver::AUTO_MEASURE);
   EXPECT_EQ(carver->GetNumberOfLevels(), 1);
 }
 

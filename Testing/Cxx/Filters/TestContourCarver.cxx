@@ -226,8 +226,9 @@ TEST(ContourCarver, StreamsToTheExtractor)
 // from the first level.
 TEST(ContourCarver, TakesMeasuresAndDepth)
 {
-  for (const int measure : { vtkContourCarver::LONGEST_EDGE, vtkContourCarver::VOLUME,
-         vtkContourCarver::CIRCUMRADIUS, vtkContourCarver::EDGE_VOLUME })
+  for (const int measure :
+    { vtkContourCarver::LONGEST_EDGE, vtkContourCarver::VOLUME, vtkContourCarver::CIRCUMRADIUS,
+      vtkContourCarver::EDGE_VOLUME, vtkContourCarver::EDGE_DISTANCE })
   {
     vtkNew<vtkContourCarver> carver;
     carver->SetPriorityMeasure(measure);
@@ -258,9 +259,11 @@ TEST(ContourCarver, TakesMeasuresAndDepth)
       // At most the diagonal of the input.
       const double radius = std::min(
         std::sqrt(vtkTriangle::Circumcircle(p[0], p[1], p[2], center)), input->GetLength());
-      const double measures[] = { longest, area, radius, std::sqrt(longest * std::sqrt(area)) };
       double centroid[3];
       vtkTriangle::TriangleCenter(p[0], p[1], p[2], centroid);
+      const double distance = DistanceToEdges(LastLevel(carver), centroid);
+      const double measures[] = { longest, area, radius, std::sqrt(longest * std::sqrt(area)),
+        std::sqrt(longest * distance) };
       const double depth = DistanceToEdges(GetLevel(carver, 0), centroid);
       EXPECT_NEAR(data->GetArray("Depth")->GetTuple1(cell), depth, 1e-12);
       const double expected = measures[measure] / (depth * depth);

@@ -233,7 +233,7 @@ TEST(DamagedStreams, AreRefusedForIntegersOutOfRange)
     { { Cells, "Step" }, 0, -2.0 }, { { Cells, "Step" }, 0, steps },
     { { Cells, "Region" }, 0, -2.0 }, { { Cells, "SolidSides" }, facet, 4.0 },
     { { Cells, "SolidSides" }, facet, -1.0 }, { { Cells, "vtkOriginalCellIds" }, 0, -2.0 },
-    { { Points, "vtkOriginalPointIds" }, 0, -2.0 }, { { Field, "PriorityMeasure" }, 0, 4.0 },
+    { { Points, "vtkOriginalPointIds" }, 0, -2.0 }, { { Field, "PriorityMeasure" }, 0, 5.0 },
     { { Field, "PriorityMeasure" }, 0, -1.0 }, { { Field, "KeepBothFoldSides" }, 0, 2.0 },
     { { Field, "ProfileVertices" }, 0, -1.0 }, { { Field, "ProfileTriangles" }, 0, -1.0 },
     { { Field, "ProfileComponents" }, 0, 0.0 }, { { Field, "ProfileTunnels" }, 0, -1.0 },

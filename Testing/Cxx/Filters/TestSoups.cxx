@@ -44,7 +44,7 @@ void DrawSettings(std::mt19937_64& random, vtkTopologyCarver* carver)
   carver->SetConformity(below(3));
   carver->SetInitialApproximation(below(2)); // not CUSTOM
   carver->SetSolidRule(below(3));
-  carver->SetPriorityMeasure(below(4));
+  carver->SetPriorityMeasure(below(6));
   carver->SetDepthMeasure(below(2));
   carver->SetDepthExponent(below(3));
   carver->SetBreadthRadius(below(2) * 0.5);

@@ -126,7 +126,7 @@ void ExpectNothingMoreToCarve(
 CarveOptions DrawOptions(std::mt19937_64& random)
 {
   CarveOptions options;
-  options.Measure = static_cast<PriorityMeasure>(random() % 4);
+  options.Measure = static_cast<PriorityMeasure>(random() % 5);
   options.DepthExponent = static_cast<double>(random() % 2);
   options.BreadthRadius = random() % 3 == 0 ? 0.4 : 0.0;
   options.CarveExposed = random() % 2 == 0;

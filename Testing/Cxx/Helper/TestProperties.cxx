@@ -26,7 +26,7 @@ namespace
 struct RandomOptions
 {
   /** The number of values of each setting. */
-  static constexpr std::array<int, 6> Counts = { 3, 3, 4, 3, 3, 2 };
+  static constexpr std::array<int, 6> Counts = { 3, 3, 5, 3, 3, 2 };
   std::array<int, 6> Drawn;
 
   explicit RandomOptions(std::mt19937_64& random)

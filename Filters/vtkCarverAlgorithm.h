@@ -139,9 +139,9 @@ public:
    * - EDGE_VOLUME: the geometric mean of l and the cube root of v, which are the two terms of the
    *   paper. Slivers have long edges and small volumes, so that they are carved later than with
    *   LONGEST_EDGE.
-   * - EDGE_DISTANCE: the geometric mean of l and the distance of the centroid from M. Tetrahedra
-   *   that have long edges because the triangles of M have are carved later than with LONGEST_EDGE,
-   *   so that levels come closer to M with fewer vertices. Not in the paper.
+   * - EDGE_DISTANCE: the cube root of l d^2, where d is the distance of the centroid from M.
+   *   Tetrahedra that have long edges because the triangles of M have are carved later than with
+   *   LONGEST_EDGE, so that levels come closer to M with fewer vertices. Not in the paper.
    * - AUTO_MEASURE (default): EDGE_DISTANCE with LevelSimplification ENCLOSING_COLLAPSE, and
    *   LONGEST_EDGE otherwise.
    */

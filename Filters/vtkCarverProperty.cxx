@@ -69,8 +69,9 @@ std::vector<vtkCarverProperty> MakeProperties()
       { "LONGEST_EDGE", "VOLUME", "CIRCUMRADIUS", "EDGE_VOLUME", "EDGE_DISTANCE", "AUTO_MEASURE" },
       0, 0, NotStored,
       "The tetrahedra that are carved first: those with the longest edge, the largest volume, the "
-      "largest circumscribed sphere, or the largest geometric mean of the longest edge and the "
-      "cube root of the volume, or of the longest edge and the distance from the mesh. "
+      "largest circumscribed sphere, the largest geometric mean of the longest edge and the cube "
+      "root of the volume, or the largest product of the longest edge and the square of the "
+      "distance from the mesh. "
       "auto-measure: the last one with --simplify, else the first. (Section 4)" },
     { NAMED(DepthExponent), NoChoices, 0.0, VTK_DOUBLE_MAX, Stored,
       "Divides every priority by the depth to the power of this number, so that carving advances "

@@ -103,7 +103,7 @@ std::vector<double> ComputePriorities(
         priorities[cell] = std::sqrt(LongestEdge<D>(p) * SizeAsLength<D>(Size(p)));
         break;
       case PriorityMeasure::EdgeDistance:
-        priorities[cell] = std::sqrt(LongestEdge<D>(p) * distances[cell]);
+        priorities[cell] = std::cbrt(LongestEdge<D>(p) * distances[cell] * distances[cell]);
         break;
     }
   }

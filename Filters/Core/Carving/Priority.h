@@ -21,7 +21,7 @@ enum class PriorityMeasure : int
   Circumradius =
     2, ///< r, the radius of the circumscribed sphere or circle, at most the hull's diagonal
   EdgeVolume = 3,  ///< the geometric mean of l and v as a length
-  EdgeDistance = 4 ///< that of l and the distance of the centroid from M; not in the paper
+  EdgeDistance = 4 ///< cbrt(l d^2), d being the distance of the centroid from M; not in the paper
 };
 
 /**

@@ -39,7 +39,7 @@ TEST(Priority, TakesTheDistanceFromTheMesh)
   // The corner's base: the centroid is a quarter of the height above it.
   const auto mesh = small::Assemble(Corner, { { 0, 1, 2, 3 } }, { { 0, 2, 1 } });
   EXPECT_NEAR(ComputePriorities(mesh, PriorityMeasure::EdgeDistance, 2)[0],
-    std::sqrt(std::sqrt(2.0) / 4.0), 1e-15);
+    std::cbrt(std::sqrt(2.0) / 16.0), 1e-15);
 }
 
 // All four are finite for a flat tetrahedron, even one on a line; the radius is then the diagonal.

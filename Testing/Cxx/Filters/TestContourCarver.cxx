@@ -263,7 +263,7 @@ TEST(ContourCarver, TakesMeasuresAndDepth)
       vtkTriangle::TriangleCenter(p[0], p[1], p[2], centroid);
       const double distance = DistanceToEdges(LastLevel(carver), centroid);
       const double measures[] = { longest, area, radius, std::sqrt(longest * std::sqrt(area)),
-        std::sqrt(longest * distance) };
+        std::cbrt(longest * distance * distance) };
       const double depth = DistanceToEdges(GetLevel(carver, 0), centroid);
       EXPECT_NEAR(data->GetArray("Depth")->GetTuple1(cell), depth, 1e-12);
       const double expected = measures[measure] / (depth * depth);

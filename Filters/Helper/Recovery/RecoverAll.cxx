@@ -31,19 +31,16 @@ std::size_t CountTriangles(const PiercedMesh& mesh, const std::vector<int>& part
 /** The number of triangles of M that are not single faces. */
 std::size_t CountDivided(const PiercedMesh& mesh, const std::vector<Triangle>& facets)
 {
-  std::vector<char> isFace(facets.size(), 0);
+  std::size_t whole = 0;
   const auto& parts = mesh.GetParts().GetParts();
   for (int part = 0; part < static_cast<int>(parts.size()); ++part)
   {
     const auto& [corners, parent] = parts[part];
-    if (parent >= 0)
-    {
-      const Triangle& facet = facets[parent];
-      isFace[parent] =
-        std::is_permutation(corners.begin(), corners.end(), facet.begin()) && mesh.IsFace(part);
-    }
+    whole += parent >= 0 &&
+      std::is_permutation(corners.begin(), corners.end(), facets[parent].begin()) &&
+      mesh.IsFace(part);
   }
-  return static_cast<std::size_t>(std::count(isFace.begin(), isFace.end(), 0));
+  return facets.size() - whole;
 }
 
 } // namespace

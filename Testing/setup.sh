@@ -19,8 +19,8 @@ test_packages=(
 paraview_packages=(
   libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev mpi-default-bin
   paraview paraview-dev python3-xlib)
-# The Qt of ParaView; ParaView draws its icons with the second package.
-# GCC 12 makes unity builds. GCC 14 has warned of mistakes there that were none.
+# The Qt of ParaView; ParaView draws its icons with the second package. And whether builds are unity builds: in these,
+# GCC 14 of Debian 13 warns of mistakes that are none.
 case $(. /etc/os-release && printf '%s' "${VERSION_ID:-}") in
   12) paraview_packages+=(qtbase5-dev libqt5svg5) unity=ON ;;
   *) paraview_packages+=(qt6-base-dev qt6-svg-plugins) unity=OFF ;;

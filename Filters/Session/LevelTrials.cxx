@@ -77,6 +77,12 @@ void AddTargets(
   }
 }
 
+/** The end of the targets that a trial for one of them is worth: finer numbers, not finer bounds. */
+TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetIterator target)
+{
+  return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();
+}
+
 /** The steps that are decimated for a target at first, from fine to coarse. */
 std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
 {
@@ -183,13 +189,12 @@ std::vector<LevelTrial> PlanTrials(
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     // A step that is good for a coarse level may be better for a finer one than any other, too.
-    const bool isNumber = target->Type != LevelTarget::ErrorBound;
-    const auto end = isNumber ? targets.end() : target + 1;
+    const auto end = FindEnd(targets, target);
     for (const int step : SelectSteps(profile, *target))
     {
       AddTargets(trials, target->LastStep, step, target, end);
     }
-    if (isNumber)
+    if (target->Type != LevelTarget::ErrorBound)
     {
       const carving::SelectedStep carved =
         carving::SelectStep(profile, target->Type, target->Value);
@@ -216,9 +221,7 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
       best.Trial ? FindStepsBetween(profile, trials, *best.Trial) : std::vector<int>())
     {
       // A coarser level may not come from a later step, so the coarser targets are tried as well.
-      const bool isNumber = target->Type != LevelTarget::ErrorBound;
-      AddTargets(
-        added, target->LastStep, step, targets.begin(), isNumber ? targets.end() : target + 1);
+      AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
     }
   }
   return added;

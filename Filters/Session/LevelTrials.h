@@ -34,15 +34,16 @@ struct LevelTrial
 /**
  * The last step for each target, steps at halved numbers of vertices where the topology differs (if
  * there are none, at halved numbers of components and tunnels), C0, and the steps that reach
- * numbers without a collapse: no level is farther from M. The targets are of one type and sorted
- * from coarse to fine.
+ * numbers without a collapse: no level is farther from M. Each is tried for all finer numbers, too.
+ * The targets are of one type and sorted from coarse to fine.
  */
 std::vector<LevelTrial> PlanTrials(
   const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
  * Steps halfway between the best trial for each target and the next ones that have been tried
- * before and after, where the topology differs. They are tried for all coarser targets, too.
+ * before and after, where the topology differs. They are tried for all coarser targets, and for all
+ * finer numbers, too.
  */
 std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);

@@ -6,11 +6,22 @@
 #ifndef ArrayTools_h
 #define ArrayTools_h
 
+#include "Core/Mesh/LargePages.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <cstddef>
+
+/** Sets the size of a new array. */
+template <class ArrayType>
+void SetSize(ArrayType* array, vtkIdType tuples)
+{
+  array->SetNumberOfTuples(tuples);
+  carving::UseLargePages(array->GetVoidPointer(0),
+    static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+}
 
 template <class ArrayType>
 vtkNew<ArrayType> MakeArray(const char* name, vtkIdType size, int components = 1)
@@ -18,7 +29,7 @@ vtkNew<ArrayType> MakeArray(const char* name, vtkIdType size, int components = 1
   vtkNew<ArrayType> array;
   array->SetName(name);
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
+  SetSize<ArrayType>(array, size);
   return array;
 }
 

@@ -6,6 +6,7 @@
 #ifndef CellArrays_h
 #define CellArrays_h
 
+#include "Convert/ArrayTools.h"
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -23,8 +24,8 @@ void SetCells(const std::vector<std::array<int, M>>& cells,
 {
   using Value = typename Array::ValueType;
   vtkNew<Array> connectivity, offsets;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(M * cells.size() + N * others.size()));
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(cells.size() + others.size() + 1));
+  SetSize<Array>(connectivity, static_cast<vtkIdType>(M * cells.size() + N * others.size()));
+  SetSize<Array>(offsets, static_cast<vtkIdType>(cells.size() + others.size() + 1));
   Value* const begin = connectivity->GetPointer(0);
   Value* to = begin;
   Value* offset = offsets->GetPointer(0);

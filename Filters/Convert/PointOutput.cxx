@@ -143,7 +143,7 @@ void FillPoints(const carving::ResolvedInput<D>& points, vtkPolyData* input, vtk
   const vtkIdType count = static_cast<vtkIdType>(points.Points.size());
   vtkNew<vtkPoints> coordinates;
   coordinates->SetDataTypeToDouble();
-  coordinates->SetNumberOfPoints(count);
+  SetSize(coordinates->GetData(), count);
   auto ids = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
   auto distances = MakeArray<vtkDoubleArray>(StreamArrays::SnapDistance, count);
   distances->Fill(0.0);

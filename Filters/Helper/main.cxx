@@ -12,6 +12,7 @@
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
 #include "Helper/HostLink.h"
+#include "Helper/MemoryPages.h"
 #include "Helper/Plane/InitialContour.h"
 #include "Helper/Plane/Triangulate.h"
 #include "Helper/Resolve/Clean.h"
@@ -226,6 +227,7 @@ bool Resume(std::istream& in, const HostLink& link)
 
 int main(int argc, char* argv[])
 {
+  UseLargePagesForAll(argv);
   const HostLink link = ConnectToHost(argc, argv);
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // TetGen's words
   BeginProgram(argc, argv, link.ReplyPath, [&](std::istream& in) { return Resume(in, link); });

@@ -162,8 +162,8 @@ bool LeafOutput<D>::WriteLevels(
     {
       return false;
     }
-    std::vector<carving::Level<D>> found =
-      carving::ExtractLevels(carved.Stream, { steps.begin() + first, steps.begin() + end });
+    std::vector<carving::Level<D>> found = carving::ExtractLevels(
+      carved.Stream, { steps.begin() + first, steps.begin() + end }, carved.Profile.Triangles);
     std::vector<vtkNew<vtkPolyData>> levels(found.size());
     std::atomic<std::size_t> done{ first };
     std::atomic<bool> goOn{ true };

@@ -3,6 +3,7 @@
 
 #include "Core/Budget/Budget.h"
 #include "Core/Mesh/Fetch.h"
+#include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -122,7 +123,7 @@ private:
   {
     const std::vector<double> measure =
       ComputePriorities(this->Mesh, this->Options.Measure, this->Options.Threads);
-    this->Cells.resize(measure.size());
+    this->Cells = MakeLarge<State<D>>(measure.size());
     for (std::size_t cell = 0; cell < this->Cells.size(); ++cell)
     {
       State<D>& state = this->Cells[cell];
@@ -141,9 +142,9 @@ private:
   void Write()
   {
     const std::size_t count = this->Cells.size();
-    this->Out.Step.resize(count);
-    this->Out.Priority.assign(count, NaN);
-    this->Out.Depth.assign(count, 0.0);
+    this->Out.Step = MakeLarge<int>(count);
+    this->Out.Priority = MakeLarge<double>(count, NaN);
+    this->Out.Depth = MakeLarge<double>(count);
     for (std::size_t cell = 0; cell < count; ++cell)
     {
       const State<D>& state = this->Cells[cell];

@@ -5,6 +5,7 @@
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/ForEach.h"
+#include "Core/Mesh/LargePages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +55,8 @@ double Circumradius(const CellCorners<2>& p)
 template <int D>
 std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
 {
-  const FacetTree<D> tree(mesh.Unresolved.Facets.empty() ? mesh.Surface : mesh.Unresolved);
-  std::vector<double> distances(mesh.Cells.size());
+  const FacetTree<D> tree(mesh.GetInput());
+  std::vector<double> distances = MakeLarge<double>(mesh.Cells.size());
   constexpr int part = 1024; // cells that a thread takes at a time
   const int count = static_cast<int>(distances.size());
   ForEach(threads, (count + part - 1) / part,
@@ -76,7 +77,7 @@ std::vector<double> ComputePriorities(
   const Decomposition<D>& mesh, PriorityMeasure measure, int threads)
 {
   const double diagonal = Diagonal(mesh.Surface.Points);
-  std::vector<double> priorities(mesh.Cells.size());
+  std::vector<double> priorities = MakeLarge<double>(mesh.Cells.size());
   std::vector<double> distances;
   if (measure == PriorityMeasure::EdgeDistance)
   {

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/Fetch.h"
+#include "Core/Mesh/LargePages.h"
 
 #include <algorithm>
 #include <numeric>
@@ -45,7 +46,7 @@ public:
   {
     this->Changes[0] = 1; // C0 is a ball
     // Most cells record at most one edge.
-    this->EdgeEnds.reserve(3 * this->Mesh.Surface.Facets.size() + this->Mesh.Cells.size());
+    ReserveLarge(this->EdgeEnds, 3 * this->Mesh.Surface.Facets.size() + this->Mesh.Cells.size());
     for (const auto& facet : this->Mesh.Surface.Facets)
     {
       this->AddSurfaceFacet(facet);

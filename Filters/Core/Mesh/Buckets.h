@@ -6,6 +6,8 @@
 #ifndef carving_Buckets_h
 #define carving_Buckets_h
 
+#include "Core/Mesh/LargePages.h"
+
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -44,13 +46,13 @@ public:
    */
   template <class ForEach>
   Buckets(std::size_t numberOfBuckets, ForEach&& forEach)
-    : Begins(numberOfBuckets + 2, 0)
+    : Begins(MakeLarge<int>(numberOfBuckets + 2))
   {
     // Counts are two entries ahead, so that their sums, the begins, are one entry ahead. Placing
     // the items of a bucket moves its begin to its end, which is the begin of the next bucket.
     forEach([this](int bucket, const Item&) { ++this->Begins[bucket + 2]; });
     std::partial_sum(this->Begins.begin(), this->Begins.end(), this->Begins.begin());
-    this->Items.resize(this->Begins.back());
+    this->Items = MakeLarge<Item>(this->Begins.back());
     forEach(
       [this](int bucket, const Item& item) { this->Items[this->Begins[bucket + 1]++] = item; });
     this->Begins.pop_back();

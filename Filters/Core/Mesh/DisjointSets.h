@@ -6,6 +6,8 @@
 #ifndef carving_DisjointSets_h
 #define carving_DisjointSets_h
 
+#include "Core/Mesh/LargePages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -19,7 +21,7 @@ class DisjointSets
 {
 public:
   explicit DisjointSets(std::size_t size)
-    : Parent(size)
+    : Parent(MakeLarge<int>(size))
   {
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }

@@ -114,6 +114,12 @@ struct Decomposition
   /** Per facet of `Unresolved`: the share of its area that pierces no cell; empty in exact mode. */
   std::vector<double> MetShares;
 
+  /** M, whether or not its facets are faces. */
+  const ResolvedInput<D>& GetInput() const
+  {
+    return this->Unresolved.Facets.empty() ? this->Surface : this->Unresolved;
+  }
+
   bool IsKept(int cell) const
   {
     return !this->Kept.empty() && this->Kept[cell];

@@ -190,8 +190,7 @@ void MeasureWindings(const Decomposition<D>& mesh, int threads, Classification& 
   std::function<double(const Point&)> windingNumber;
   if constexpr (D == 3)
   {
-    const ResolvedMesh& surface = mesh.Kept.empty() ? mesh.Surface : mesh.Unresolved;
-    windingNumber = [tree = WindingTree(surface)](const Point& p) {
+    windingNumber = [tree = WindingTree(mesh.GetInput())](const Point& p) {
       return tree.Measure(p, { GuessedFrom, SolidFrom });
     };
   }

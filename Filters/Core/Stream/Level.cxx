@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Stream/Level.h"
 
+#include "Core/Mesh/LargePages.h"
+
 #include <algorithm>
 
 namespace carving
@@ -17,7 +19,8 @@ Level<D> ExtractLevel(const StoredStream<D>& stream, int step)
 }
 
 template <int D>
-std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::vector<int>& steps)
+std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::vector<int>& steps,
+  const std::vector<int>& numbersOfFaces)
 {
   std::vector<Level<D>> levels(steps.size());
   if (steps.empty())
@@ -27,6 +30,10 @@ std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::ve
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     levels[i].Step = steps[i];
+    if (!numbersOfFaces.empty())
+    {
+      ReserveLarge(levels[i].Faces, numbersOfFaces[steps[i]]);
+    }
   }
   const auto addWhereItShows = [&](const FaceLife<D>& face)
   {
@@ -42,7 +49,9 @@ std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::ve
 
 template Level<2> ExtractLevel<2>(const StoredStream<2>&, int);
 template Level<3> ExtractLevel<3>(const StoredStream<3>&, int);
-template std::vector<Level<2>> ExtractLevels<2>(const StoredStream<2>&, const std::vector<int>&);
-template std::vector<Level<3>> ExtractLevels<3>(const StoredStream<3>&, const std::vector<int>&);
+template std::vector<Level<2>> ExtractLevels<2>(
+  const StoredStream<2>&, const std::vector<int>&, const std::vector<int>&);
+template std::vector<Level<3>> ExtractLevels<3>(
+  const StoredStream<3>&, const std::vector<int>&, const std::vector<int>&);
 
 } // namespace carving

@@ -2,6 +2,7 @@
 #include "Core/Stream/StoredStream.h"
 
 #include "Core/Mesh/Adjacency.h"
+#include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Validity.h"
 
 #include <utility>
@@ -16,7 +17,7 @@ template <int D>
 void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
 {
   const Decomposition<D>& mesh = stream.Mesh;
-  stream.Sides.resize(mesh.Surface.Facets.size());
+  stream.Sides = MakeLarge<std::array<int, 2>>(mesh.Surface.Facets.size());
   for (std::size_t facet = 0; facet < stream.Sides.size(); ++facet)
   {
     stream.Sides[facet] = { solidSides[facet] & 1 ? Solid : Outside,
@@ -54,7 +55,7 @@ StoredStream<D> Store(
   {
     stored += isStored(cell);
   }
-  const auto reserve = [stored](auto&... arrays) { (arrays.reserve(stored), ...); };
+  const auto reserve = [stored](auto&... arrays) { (ReserveLarge(arrays, stored), ...); };
   reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Mesh.Constraints, result.Regions,
     result.Order.Step, result.Order.Priority, result.Order.Depth);
   for (int cell = 0; cell < numberOfCells; ++cell)

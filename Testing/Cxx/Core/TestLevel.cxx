@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Measure/Profile.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Stream/Level.h"
 #include "SmallMeshes.h"
@@ -151,13 +152,15 @@ TEST(Level, IsTheSameAmongSeveral)
   {
     steps.push_back(step);
   }
-  const std::vector<Level<3>> levels = ExtractLevels(stream, steps);
+  const std::vector<Level<3>> levels =
+    ExtractLevels(stream, steps, ComputeProfile(stream).Triangles);
   ASSERT_EQ(levels.size(), steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     const Level<3> alone = ExtractLevel(stream, steps[i]);
     EXPECT_EQ(levels[i].Step, steps[i]);
     ASSERT_EQ(levels[i].Faces.size(), alone.Faces.size());
+    EXPECT_EQ(levels[i].Faces.capacity(), alone.Faces.size()); // as much memory as needed
     for (std::size_t face = 0; face < alone.Faces.size(); ++face)
     {
       EXPECT_EQ(levels[i].Faces[face].Corners, alone.Faces[face].Corners);

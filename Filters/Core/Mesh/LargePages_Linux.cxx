@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/LargePages.h"
+
+#include <cstdint>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace carving
+{
+
+void UseLargePages(void* begin, std::size_t bytes)
+{
+  constexpr std::size_t large = std::size_t(2) << 20; // the size on most processors
+  if (bytes < large)
+  {
+    return;
+  }
+  // The advice is for whole pages. Those at the ends may hold other data, too, to no harm.
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto address = reinterpret_cast<std::uintptr_t>(begin);
+  const std::uintptr_t first = address / page * page;
+  const std::uintptr_t last = (address + bytes + page - 1) / page * page;
+  madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+}
+
+} // namespace carving

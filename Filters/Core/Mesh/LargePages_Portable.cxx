@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/LargePages.h"
+
+namespace carving
+{
+
+void UseLargePages(void*, std::size_t)
+{
+}
+
+} // namespace carving

@@ -93,8 +93,9 @@ void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
   const double least =
     std::max(4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0),
       static_cast<double>(CountCopies(trial.Points)));
-  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-                        [least](double target) { return std::max(target, 4.0) < least; }),
+  trial.Targets.erase(
+    std::remove_if(trial.Targets.begin(), trial.Targets.end(),
+      [least](const TrialTarget& target) { return std::max(target.Value, 4.0) < least; }),
     trial.Targets.end());
 }
 
@@ -129,7 +130,16 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
   {
     job.Surface.Points.push_back(stream.Mesh.Surface.Points[point]);
   }
-  job.Decimation = { AsDecimationTarget(type), trial.Targets, 0 };
+  job.Decimation.Type = AsDecimationTarget(type);
+  job.Decimation.RaiseBounds = trial.RaisesBounds;
+  for (const TrialTarget& target : trial.Targets)
+  {
+    job.Decimation.Targets.push_back(target.Value);
+    if (type != LevelTarget::ErrorBound)
+    {
+      job.Decimation.Bounds.push_back(target.Bound);
+    }
+  }
   HelperProcess process;
   trial.Error = process.Start(job);
   return trial.Error.empty() ? std::make_optional(std::move(process)) : std::nullopt;
@@ -166,7 +176,10 @@ double LevelSimplifier::FindLeastError(int step, double enough) const
   return least;
 }
 
-/** Drops the targets for which an earlier trial has a result that this one could hardly beat. */
+/**
+ * Drops the targets for which an earlier trial has a result that this one could hardly beat. Results
+ * that are no better than the earlier ones are of no use for the others either.
+ */
 void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const
 {
   const auto bestError = [&](double value)
@@ -178,13 +191,16 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
                                                  : best.Surface->Error;
   };
   double worst = 0.0;
-  for (const double target : trial.Targets)
+  for (TrialTarget& target : trial.Targets)
   {
-    worst = std::max(worst, bestError(target));
+    const double best = bestError(target.Value);
+    worst = std::max(worst, best);
+    target.Bound = std::min(target.Bound, best);
   }
   const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, Hope * worst) : 0.0;
-  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-                        [&](double target) { return least > Hope * bestError(target); }),
+  trial.Targets.erase(
+    std::remove_if(trial.Targets.begin(), trial.Targets.end(),
+      [&](const TrialTarget& target) { return least > Hope * bestError(target.Value); }),
     trial.Targets.end());
 }
 
@@ -319,8 +335,9 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
   constexpr int rounds = 4;
   for (int round = 0; round < rounds; ++round)
   {
-    std::vector<LevelTrial> trials =
-      round == 0 ? PlanTrials(profile, targets) : PlanTrialsBetween(profile, targets, this->Trials);
+    std::vector<LevelTrial> trials = round == 0 ? PlanTrials(profile, targets)
+      : round < rounds - 1                      ? PlanTrialsBetween(profile, targets, this->Trials)
+                                                : PlanTighterTrials(profile, targets, this->Trials);
     if (!this->RunTrials(targets, std::move(trials), round * 1.0 / rounds, (round + 1.0) / rounds))
     {
       return false;

@@ -38,7 +38,8 @@ int FindSimpleStep(const Profile& profile, int last, double parts)
 }
 
 /** Adds a target to the trial of a step, which is added if there is none. */
-void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step)
+void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step,
+  double bound = HUGE_VAL)
 {
   auto trial = std::find_if(trials.begin(), trials.end(),
     [&](const LevelTrial& other)
@@ -50,15 +51,16 @@ void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, 
     trial->LastStep = target.LastStep;
     trial->Step = step;
   }
-  std::vector<double>& all = trial->Targets;
-  if (std::find(all.begin(), all.end(), target.Value) == all.end())
+  std::vector<TrialTarget>& all = trial->Targets;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&](const TrialTarget& other) { return other.Value == target.Value; });
+  if (found == all.end())
   {
-    all.push_back(target.Value);
-    std::sort(all.begin(), all.end());
-    if (target.Type != LevelTarget::ErrorBound)
-    {
-      std::reverse(all.begin(), all.end());
-    }
+    all.push_back({ target.Value, bound });
+    const bool byError = target.Type == LevelTarget::ErrorBound;
+    std::sort(all.begin(), all.end(),
+      [byError](const TrialTarget& a, const TrialTarget& b)
+      { return byError ? a.Value < b.Value : a.Value > b.Value; });
   }
 }
 
@@ -227,6 +229,28 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   return added;
 }
 
+std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+{
+  constexpr double share = 0.97; // of the distance; less gain is not worth the time
+  constexpr int manyVertices = 20000;
+  std::vector<LevelTrial> added;
+  for (const SimplifiedTarget& target : targets)
+  {
+    const BestTrial best = FindBestTrial(trials, target, target.LastStep);
+    if (target.Type != LevelTarget::ErrorBound && best.Trial && best.Surface->Reached &&
+      profile.Vertices[best.Trial->Step] <= manyVertices)
+    {
+      AddTarget(added, target, best.Trial->Step, share * best.Surface->Error);
+    }
+  }
+  for (LevelTrial& trial : added)
+  {
+    trial.RaisesBounds = true;
+  }
+  return added;
+}
+
 BestTrial FindBestTrial(
   const std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int lastStep)
 {
@@ -237,7 +261,7 @@ BestTrial FindBestTrial(
     const std::size_t end = trial.Step <= std::min(lastStep, target.LastStep) ? surfaces.size() : 0;
     for (std::size_t i = 0; i < end; ++i)
     {
-      if (MayServe(surfaces[i], trial.Targets[i], target) &&
+      if (MayServe(surfaces[i], trial.Targets[i].Value, target) &&
         (!best.Trial || IsBetter(target.Type, trial, surfaces[i], best)))
       {
         best = { &trial, &surfaces[i] };

@@ -14,15 +14,23 @@
 #include "Core/Measure/SimplifiedStream.h"
 #include "Core/Protocol/Protocol.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
+
+struct TrialTarget
+{
+  double Value;
+  double Bound = HUGE_VAL; ///< no collapse makes a face that is farther from M
+};
 
 /** A step of a stream that is decimated to some targets. */
 struct LevelTrial
 {
   int LastStep; ///< of the targets
   int Step;
-  std::vector<double> Targets; ///< from fine to coarse
+  std::vector<TrialTarget> Targets; ///< from fine to coarse
+  bool RaisesBounds = false;        ///< see carving::DecimationOptions
   carving::Decimation Result;
   std::string Error;       ///< empty if the step could be decimated
   std::vector<int> Points; ///< of the step's surface, in the stream
@@ -46,6 +54,14 @@ std::vector<LevelTrial> PlanTrials(
  * finer numbers, too.
  */
 std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+
+/**
+ * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
+ * a little below the distances that have been reached. Not for steps with many vertices, which are
+ * close to M and would take long.
+ */
+std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
 
 struct BestTrial

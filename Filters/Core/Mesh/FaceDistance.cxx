@@ -179,6 +179,28 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
   }
 }
 
+template <int D>
+bool FaceDistance<D>::IsWithin(const FacetCorners<D>& face, double bound, int queries) const
+{
+  double lower = 0.0;
+  std::vector<Piece> open = { this->MakePiece(face, nullptr, bound, lower) };
+  for (int asked = 1; !open.empty() && lower <= bound && asked < queries;)
+  {
+    const Piece piece = open.back();
+    open.pop_back();
+    if (piece.Upper > bound)
+    {
+      for (const FacetCorners<D>& part : Split(piece.Corners, piece.Closest))
+      {
+        open.push_back(this->MakePiece(part, &piece.Closest, bound, lower));
+        ++asked;
+      }
+    }
+  }
+  return std::all_of(
+    open.begin(), open.end(), [bound](const Piece& piece) { return piece.Upper <= bound; });
+}
+
 /**
  * Bounds the distances of a piece by that from one facet. The search begins at a facet nearby if
  * there is one, and ends early at a facet that is close enough to the whole piece.

@@ -60,6 +60,12 @@ public:
    */
   Bound Compute(const FacetCorners<D>& face, int queries, double enough = 0.0) const;
 
+  /**
+   * Whether no point of the face is farther than a bound. Says no if this many queries do not
+   * decide.
+   */
+  bool IsWithin(const FacetCorners<D>& face, double bound, int queries) const;
+
 private:
   struct Piece
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Protocol/Protocol.h"
 
+#include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Validity.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'D' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'E' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'C' };
 
 class Writer
@@ -84,6 +85,7 @@ public:
     values.clear();
     if (count <= this->Left / sizeof(T) && this->Take(count * sizeof(T)) && count > 0)
     {
+      ReserveLarge(values, count);
       values.resize(count);
       std::memcpy(&values[0], this->At - count * sizeof(T), count * sizeof(T));
     }
@@ -143,6 +145,8 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Array(job.Surface.Triangles);
   archive.Value(job.Decimation.Type);
   archive.Array(job.Decimation.Targets);
+  archive.Array(job.Decimation.Bounds);
+  archive.Value(job.Decimation.RaiseBounds);
   archive.Value(job.Decimation.Nested);
 }
 
@@ -295,6 +299,11 @@ std::string Read(const char* data, std::size_t size, Job& job)
     job.Decimation.Type != DecimationTarget::ErrorBound)
   {
     return "the job wants an unknown kind of target";
+  }
+  if (!job.Decimation.Bounds.empty() &&
+    job.Decimation.Bounds.size() != job.Decimation.Targets.size())
+  {
+    return "the job has bounds for some of its targets only";
   }
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||

@@ -7,6 +7,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace carving::helper
 {
@@ -52,6 +53,15 @@ Decimator::Decimator(
   const auto [lower, upper] = BoxAround(fromM.GetTree().GetItems().GetMesh().Points);
   this->Origin = Between(lower, upper, 0.5);
   this->AddPlanes();
+}
+
+void Decimator::RaiseErrorBound(double bound)
+{
+  if (bound > this->ErrorBound)
+  {
+    this->ErrorBound = bound;
+    this->AllowRefill();
+  }
 }
 
 /** Adds the plane of each face to the quadrics of its vertices, weighted by area. Sums the areas. */
@@ -113,16 +123,21 @@ bool Decimator::Refill()
   return true;
 }
 
-bool Decimator::Run(const std::function<bool()>& goOn)
+bool Decimator::Run(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder)
 {
   while (goOn())
   {
     std::optional<CollapseQueue::Edge> next = this->Queue.Pop();
     while (!next)
     {
+      if (!std::isinf(this->VerticesAtRefill) && !triesHarder())
+      {
+        return false;
+      }
       if (!this->Refill())
       {
-        if (this->UsesEnds && !this->Place.Widen(this->Surface.number_of_vertices()))
+        if (this->UsesEnds &&
+          !this->Place.Widen(this->Surface.number_of_vertices(), this->ErrorBound))
         {
           return false;
         }
@@ -283,12 +298,11 @@ bool Decimator::IsValid(const Star& star, const Point& w) const
 bool Decimator::IsWithinErrorBound(const Star& star, const Point& w) const
 {
   return this->ErrorBound == std::numeric_limits<double>::infinity() ||
-    std::all_of(star.Link.begin(), star.Link.end(),
-      [&](const std::array<Point, 2>& edge)
-      {
-        return this->FromM.Compute({ edge[0], edge[1], w }, MostQueries, this->ErrorBound).Upper <=
-          this->ErrorBound;
-      });
+    (this->FromM.OfPoint(w) <= this->ErrorBound &&
+      std::all_of(star.Link.begin(), star.Link.end(),
+        [&](const std::array<Point, 2>& edge) {
+          return this->FromM.IsWithin({ edge[0], edge[1], w }, this->ErrorBound, MostQueries);
+        }));
 }
 
 void Decimator::Collapse(HalfEdge edge, const Star& star, const Point& w)

@@ -40,15 +40,17 @@ public:
   Decimator(SurfaceMesh surface, const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart,
     bool nested);
 
-  /** No face that a collapse makes may be farther from M. Bounds may only rise. */
-  void SetErrorBound(double bound)
-  {
-    this->ErrorBound = bound;
-    this->AllowRefill();
-  }
+  /**
+   * No face that a collapse makes may be farther from M from now on. Has no effect if the last bound
+   * was greater. There is none at first.
+   */
+  void RaiseErrorBound(double bound);
 
-  /** Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. */
-  bool Run(const std::function<bool()>& goOn);
+  /**
+   * Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. Before
+   * that, `triesHarder` says whether positions that fit less well are worth their time.
+   */
+  bool Run(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder);
 
   /**
    * Moves vertices inward until their faces touch M: the surroundings have changed since a collapse
@@ -105,7 +107,7 @@ private:
   const FaceDistance<3>& FromStart; ///< from the surface before the first collapse
   Placement Place;
   bool Nested;
-  double ErrorBound = std::numeric_limits<double>::infinity();
+  double ErrorBound = 0.0;       ///< before the first bound
   Point Origin;                  ///< of the quadrics
   double Area = 0.0;             ///< of the surface before the first collapse
   std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for

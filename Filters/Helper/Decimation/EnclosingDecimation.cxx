@@ -19,6 +19,12 @@ namespace carving::helper
 namespace
 {
 
+/**
+ * A bounded surface with more vertices than this factor of its target, none of whose edges collapses
+ * well, does not get to the target.
+ */
+constexpr double MostAboveTarget = 1.1;
+
 /** Each later round would gain little. */
 constexpr int TighteningRounds = 2;
 
@@ -130,6 +136,29 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
   return largest;
 }
 
+/** The bounds within which edges collapse in turn for a target. */
+std::vector<double> ListBounds(const DecimationOptions& options, std::size_t target)
+{
+  if (options.Type == DecimationTarget::ErrorBound)
+  {
+    // The measured error may be 1 % too large; it has to be within the bound, too.
+    return { options.Targets[target] / 1.01 };
+  }
+  const double last = options.Bounds.empty() ? HUGE_VAL : options.Bounds[target];
+  if (!options.RaiseBounds || std::isinf(last))
+  {
+    return { last };
+  }
+  constexpr double first = 0.6; // lower, or more of them: more time, and little gain
+  constexpr int steps = 3;
+  std::vector<double> bounds;
+  for (int step = 0; step <= steps; ++step)
+  {
+    bounds.push_back(last * std::pow(first, 1.0 - static_cast<double>(step) / steps));
+  }
+  return bounds;
+}
+
 /** Decimates a surface once per target. Returns an empty string, or an error. */
 std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
   const DecimationOptions& options, int threads, const Progress& progress,
@@ -150,13 +179,9 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
         byError ? result.Error <= options.Targets[results.size() - 1] : result.Reached;
     }
   };
-  for (const double target : options.Targets)
+  for (std::size_t i = 0; i < options.Targets.size(); ++i)
   {
-    if (byError)
-    {
-      // The measured error may be 1 % too large; it has to be within the bound, too.
-      decimator.SetErrorBound(target / 1.01);
-    }
+    const double target = options.Targets[i];
     bool stopped = false;
     long long calls = 0;
     const auto mayGoOn = [&]
@@ -165,13 +190,24 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       stopped = ++calls % 1024 == 0 && !GoOn(progress, done);
       return !stopped;
     };
-    const auto goOn = [&]
+    const auto count = [&]() -> double
     {
-      const auto count = options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
-                                                                     : surface.number_of_vertices();
-      return mayGoOn() && (byError || count > target);
+      return options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
+                                                         : surface.number_of_vertices();
     };
-    const bool reached = decimator.Run(goOn);
+    const std::vector<double> bounds = ListBounds(options, i);
+    bool reached = false;
+    for (auto bound = bounds.begin(); bound != bounds.end() && !reached && !stopped; ++bound)
+    {
+      // The distance of a surface is about inversely proportional to its number of vertices.
+      if (bound != bounds.begin() && bound[-1] * count() > bounds.back() * target)
+      {
+        break;
+      }
+      decimator.RaiseErrorBound(*bound);
+      reached = decimator.Run([&] { return mayGoOn() && (byError || count() > target); },
+        [&] { return byError || std::isinf(*bound) || count() <= MostAboveTarget * target; });
+    }
     for (int round = 0; round < TighteningRounds && !stopped; ++round)
     {
       decimator.Tighten(mayGoOn);

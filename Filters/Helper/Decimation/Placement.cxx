@@ -91,10 +91,10 @@ Placement::Placement(const std::vector<Point>& points, const Obstacle& obstacle)
 {
 }
 
-bool Placement::Widen(std::size_t vertices)
+bool Placement::Widen(std::size_t vertices, double errorBound)
 {
   const double wider = SlackRatio * this->Slack;
-  if (wider > 1.01 * GreatestSlack * this->Diagonal ||
+  if (wider > 1.01 * GreatestSlack * this->Diagonal || this->Slack > errorBound ||
     static_cast<double>(vertices) * this->Slack > MostSlackOfAll * this->Diagonal)
   {
     return false;

@@ -40,9 +40,9 @@ public:
 
   /**
    * Lets positions be farther from the obstacle. Returns false if they may be as far as is
-   * sensible for a number of vertices.
+   * sensible for a number of vertices, or farther than an error bound.
    */
-  bool Widen(std::size_t vertices);
+  bool Widen(std::size_t vertices, double errorBound);
 
   /** The least error of any position. */
   static double FindLeastError(const LocalError& error);

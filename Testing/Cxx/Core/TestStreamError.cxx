@@ -143,6 +143,29 @@ TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
   }
 }
 
+// A face is within every bound that is not below its distance, and within no other.
+TEST(FaceDistance, KnowsWhatIsWithinABound)
+{
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+  const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
+  const FaceDistance<3> distance(mesh);
+  for (int i = 0; i < 200; ++i)
+  {
+    FacetCorners<3> face;
+    for (Point& corner : face)
+    {
+      corner = { coordinate(random), coordinate(random), coordinate(random) };
+    }
+    constexpr int manyQueries = 100000;
+    const auto bound = distance.Compute(face, manyQueries);
+    ASSERT_TRUE(bound.Final);
+    EXPECT_TRUE(distance.IsWithin(face, 1.01 * bound.Upper, manyQueries));
+    EXPECT_FALSE(distance.IsWithin(face, 0.99 * bound.Lower, manyQueries));
+    EXPECT_FALSE(distance.IsWithin(face, 0.99 * bound.Lower, 1));
+  }
+}
+
 // The tree finds what looking at all facets finds, from near and far.
 TEST(FacetTree, FindsTheClosest)
 {

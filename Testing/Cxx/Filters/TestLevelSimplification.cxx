@@ -10,9 +10,11 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkEnclosingDecimation.h"
 #include "vtkExtractCarvedLOD.h"
 #include "vtkFeatureEdges.h"
 #include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -155,6 +157,35 @@ TEST(LevelSimplification, IsNeverFartherWithMoreVertices)
     }
   }
   EXPECT_GE(compared, 9);
+}
+
+// No level is farther from the mesh than the mesh, decimated to the same number of vertices: that is
+// one of the trials.
+TEST(LevelSimplification, IsAsCloseAsADecimationOfTheMesh)
+{
+  const std::vector<double> targets = { 100, 200, 300 };
+  const auto mesh = ToPolyData(models::Torus(1.0, 0.3, 32, 16));
+  vtkNew<vtkTopologyCarver> carver;
+  CarveSimplified(carver, vtkTopologyCarver::VERTICES, targets, mesh);
+  vtkNew<vtkEnclosingDecimation> decimation;
+  decimation->SetInputData(mesh);
+  for (const double target : targets)
+  {
+    decimation->AddTarget(target);
+  }
+  decimation->Update();
+  auto* surfaces = vtkMultiBlockDataSet::SafeDownCast(decimation->GetOutputDataObject(1));
+  int closer = 0;
+  for (int level = 0; level < 3; ++level)
+  {
+    const double error = GetFieldValue(GetLevel(carver, level), "Error");
+    auto* surface = vtkPolyData::SafeDownCast(surfaces->GetBlock(level)); // the coarsest first
+    const double other = GetFieldValue(surface, "Error");
+    EXPECT_EQ(surface->GetNumberOfPoints(), targets[level]);
+    EXPECT_LE(error, 1.01 * other);
+    closer += error < 0.97 * other;
+  }
+  EXPECT_GT(closer, 0); // by bounds, which the decimation does not set itself
 }
 
 // Numbers below that of the convex hull are reached, too.

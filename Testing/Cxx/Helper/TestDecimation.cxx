@@ -62,12 +62,27 @@ std::vector<Result> GetResults(const Decimation& decimation)
   return results;
 }
 
+DecimationOptions OptionsFor(std::vector<double> targets, bool nested = false,
+  DecimationTarget type = DecimationTarget::Vertices)
+{
+  DecimationOptions options;
+  options.Type = type;
+  options.Targets = std::move(targets);
+  options.Nested = nested;
+  return options;
+}
+
+std::vector<Result> Decimate(const TriangleMesh& mesh, const DecimationOptions& options)
+{
+  Decimation decimation;
+  EXPECT_EQ(DecimateEnclosing(mesh, mesh, options, decimation), "");
+  return GetResults(decimation);
+}
+
 std::vector<Result> Decimate(const TriangleMesh& mesh, std::vector<double> targets,
   bool nested = false, DecimationTarget type = DecimationTarget::Vertices)
 {
-  Decimation decimation;
-  EXPECT_EQ(DecimateEnclosing(mesh, mesh, { type, std::move(targets), nested }, decimation), "");
-  return GetResults(decimation);
+  return Decimate(mesh, OptionsFor(std::move(targets), nested, type));
 }
 
 /** V - E + F of a closed surface, which has three edges for every two faces. */
@@ -244,8 +259,8 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
       const TriangleMesh& inside = nested ? level.Surface : level.M;
       const double half = std::floor(level.Surface.Points.size() / 2.0);
       Decimation decimation;
-      ASSERT_EQ(DecimateEnclosing(level.Surface, inside,
-                  { DecimationTarget::Vertices, { half, half / 4 }, nested }, decimation),
+      ASSERT_EQ(DecimateEnclosing(
+                  level.Surface, inside, OptionsFor({ half, half / 4 }, nested), decimation),
         "");
       for (const Result& result : GetResults(decimation))
       {
@@ -270,8 +285,7 @@ TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)
   const TriangleMesh lens = flattened(models::Sphere(3));
   const TriangleMesh ring = flattened(models::Torus(0.9, 0.08, 64, 8));
   Decimation decimation;
-  ASSERT_EQ(
-    DecimateEnclosing(lens, ring, { DecimationTarget::Vertices, { 40 }, false }, decimation), "");
+  ASSERT_EQ(DecimateEnclosing(lens, ring, OptionsFor({ 40 }), decimation), "");
   const std::vector<Result> results = GetResults(decimation);
   ASSERT_EQ(results.size(), 1u);
   const double pi = std::acos(-1.0);
@@ -325,6 +339,29 @@ TEST(Decimation, StaysWithinErrorBounds)
     EXPECT_LE(results[i].Error, i == 0 ? 0.01 : i == 1 ? 0.03 : 0.1);
     EXPECT_LT(results[i].Mesh.Points.size(), last);
     last = results[i].Mesh.Points.size();
+  }
+}
+
+// Bounds hold on the way to numbers, whether they are raised or not, or the number is out of reach.
+TEST(Decimation, StaysWithinBoundsOnTheWayToNumbers)
+{
+  const TriangleMesh torus = models::Torus(1.0, 0.3, 48, 24);
+  DecimationOptions options = OptionsFor({ 400, 200, 100 });
+  const auto unbounded = Decimate(torus, options);
+  for (const int raise : { 0, 1 })
+  {
+    options.RaiseBounds = raise;
+    // The last one is too low for its number.
+    options.Bounds = { unbounded[0].Error, unbounded[1].Error, unbounded[1].Error };
+    const auto results = Decimate(torus, options);
+    ASSERT_EQ(results.size(), 3u);
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+      EXPECT_LE(results[i].Error, 1.01 * options.Bounds[i]);
+      EXPECT_EQ(results[i].Reached, results[i].Mesh.Points.size() <= options.Targets[i]);
+    }
+    EXPECT_TRUE(results[0].Reached);
+    EXPECT_FALSE(results[2].Reached);
   }
 }
 
@@ -383,7 +420,7 @@ TEST(Decimation, RefusesWhatIsNoClosedSurface)
   const auto refusal = [](const TriangleMesh& mesh)
   {
     Decimation decimation;
-    return DecimateEnclosing(mesh, mesh, { DecimationTarget::Vertices, { 10 }, false }, decimation);
+    return DecimateEnclosing(mesh, mesh, OptionsFor({ 10 }), decimation);
   };
   EXPECT_NE(refusal(models::Sheet(2)).find("is open: 8 edges"), std::string::npos);
   TriangleMesh twisted = models::Tetrahedron();

@@ -98,6 +98,20 @@ int CountCrossings(const std::vector<Point>& points, const std::vector<Triangle>
   return crossings;
 }
 
+std::vector<Triangle> WithPointsMerged(
+  const std::vector<Point>& points, std::vector<Triangle> triangles)
+{
+  std::map<Point, int> first;
+  for (Triangle& t : triangles)
+  {
+    for (int& corner : t)
+    {
+      corner = first.emplace(points[corner], corner).first->second;
+    }
+  }
+  return triangles;
+}
+
 bool IsClosed(const std::vector<Triangle>& triangles)
 {
   std::map<std::pair<int, int>, int> passages;

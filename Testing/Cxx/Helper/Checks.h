@@ -17,6 +17,10 @@ namespace checks
 int CountCrossings(
   const std::vector<carving::Point>& points, const std::vector<carving::Triangle>& triangles);
 
+/** The triangles with equal points as one: where a surface has been cut, it may touch itself. */
+std::vector<carving::Triangle> WithPointsMerged(
+  const std::vector<carving::Point>& points, std::vector<carving::Triangle> triangles);
+
 /** Whether every edge is used equally often in both directions. */
 bool IsClosed(const std::vector<carving::Triangle>& triangles);
 

@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <random>
 
 using namespace carving;
@@ -112,24 +111,9 @@ void ExpectToEnclose(const TriangleMesh& outer, const TriangleMesh& inner, std::
   }
 }
 
-/** The triangles with equal points as one: where a surface has been cut, it may touch itself. */
-std::vector<Triangle> WithPointsMerged(const TriangleMesh& mesh)
-{
-  std::map<Point, int> first;
-  std::vector<Triangle> triangles = mesh.Triangles;
-  for (Triangle& t : triangles)
-  {
-    for (int& corner : t)
-    {
-      corner = first.emplace(mesh.Points[corner], corner).first->second;
-    }
-  }
-  return triangles;
-}
-
 int CountCrossings(const TriangleMesh& mesh)
 {
-  return checks::CountCrossings(mesh.Points, WithPointsMerged(mesh));
+  return checks::CountCrossings(mesh.Points, checks::WithPointsMerged(mesh.Points, mesh.Triangles));
 }
 
 /**

@@ -176,10 +176,7 @@ double LevelSimplifier::FindLeastError(int step, double enough) const
   return least;
 }
 
-/**
- * Drops the targets for which an earlier trial has a result that this one could hardly beat. Results
- * that are no better than the earlier ones are of no use for the others either.
- */
+/** Drops the targets for which an earlier trial has a result that this one could hardly beat. */
 void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const
 {
   const auto bestError = [&](double value)
@@ -191,11 +188,9 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
                                                  : best.Surface->Error;
   };
   double worst = 0.0;
-  for (TrialTarget& target : trial.Targets)
+  for (const TrialTarget& target : trial.Targets)
   {
-    const double best = bestError(target.Value);
-    worst = std::max(worst, best);
-    target.Bound = std::min(target.Bound, best);
+    worst = std::max(worst, bestError(target.Value));
   }
   const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, Hope * worst) : 0.0;
   trial.Targets.erase(
@@ -332,7 +327,7 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     return true;
   }
   this->Threads = settings.ThreadsOfLeaf;
-  constexpr int rounds = 4;
+  constexpr int rounds = 5;
   for (int round = 0; round < rounds; ++round)
   {
     std::vector<LevelTrial> trials = round == 0 ? PlanTrials(profile, targets)

@@ -55,6 +55,18 @@ double SampleError(const StoredStream<3>& stream, int step)
   return farthest;
 }
 
+/** A triangle in and around the torus of the tests. */
+FacetCorners<3> RandomFace(std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+  FacetCorners<3> face;
+  for (Point& corner : face)
+  {
+    corner = { coordinate(random), coordinate(random), coordinate(random) };
+  }
+  return face;
+}
+
 } // namespace
 
 // Of a tetrahedron around a smaller one a corner is the farthest, since distance is convex: here
@@ -112,16 +124,12 @@ TEST(FaceDistance, BoundsAFaceAboveAPlane)
 TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
 {
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> coordinate(-1.5, 1.5), closeEnough(0.0, 1.0);
+  std::uniform_real_distribution<double> closeEnough(0.0, 1.0);
   const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
   const FaceDistance<3> distance(mesh);
   for (int i = 0; i < 200; ++i)
   {
-    FacetCorners<3> face;
-    for (Point& corner : face)
-    {
-      corner = { coordinate(random), coordinate(random), coordinate(random) };
-    }
+    const FacetCorners<3> face = RandomFace(random);
     constexpr int n = 60;
     double sampled = 0.0;
     for (int j = 0; j <= n; ++j)
@@ -147,16 +155,11 @@ TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
 TEST(FaceDistance, KnowsWhatIsWithinABound)
 {
   std::mt19937_64 random(8);
-  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
   const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
   const FaceDistance<3> distance(mesh);
   for (int i = 0; i < 200; ++i)
   {
-    FacetCorners<3> face;
-    for (Point& corner : face)
-    {
-      corner = { coordinate(random), coordinate(random), coordinate(random) };
-    }
+    const FacetCorners<3> face = RandomFace(random);
     constexpr int manyQueries = 100000;
     const auto bound = distance.Compute(face, manyQueries);
     ASSERT_TRUE(bound.Final);

@@ -130,6 +130,7 @@ bool Decimator::Run(const std::function<bool()>& goOn, const std::function<bool(
     std::optional<CollapseQueue::Edge> next = this->Queue.Pop();
     while (!next)
     {
+      // A pass over all edges is due after a new bound. Later passes find little.
       if (!std::isinf(this->VerticesAtRefill) && !triesHarder())
       {
         return false;

@@ -131,11 +131,10 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
     job.Surface.Points.push_back(stream.Mesh.Surface.Points[point]);
   }
   job.Decimation.Type = AsDecimationTarget(type);
-  job.Decimation.RaiseBounds = trial.RaisesBounds;
   for (const TrialTarget& target : trial.Targets)
   {
     job.Decimation.Targets.push_back(target.Value);
-    if (type != LevelTarget::ErrorBound)
+    if (target.Bound < HUGE_VAL)
     {
       job.Decimation.Bounds.push_back(target.Bound);
     }

@@ -244,10 +244,6 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
       AddTarget(added, target, best.Trial->Step, share * best.Surface->Error);
     }
   }
-  for (LevelTrial& trial : added)
-  {
-    trial.RaisesBounds = true;
-  }
   return added;
 }
 

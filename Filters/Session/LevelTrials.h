@@ -18,10 +18,11 @@
 #include <string>
 #include <vector>
 
+/** All targets of a trial have bounds, or none has; see carving::DecimationOptions. */
 struct TrialTarget
 {
   double Value;
-  double Bound = HUGE_VAL; ///< no collapse makes a face that is farther from M
+  double Bound = HUGE_VAL;
 };
 
 /** A step of a stream that is decimated to some targets. */
@@ -30,7 +31,6 @@ struct LevelTrial
   int LastStep; ///< of the targets
   int Step;
   std::vector<TrialTarget> Targets; ///< from fine to coarse
-  bool RaisesBounds = false;        ///< see carving::DecimationOptions
   carving::Decimation Result;
   std::string Error;       ///< empty if the step could be decimated
   std::vector<int> Points; ///< of the step's surface, in the stream

@@ -146,7 +146,6 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Decimation.Type);
   archive.Array(job.Decimation.Targets);
   archive.Array(job.Decimation.Bounds);
-  archive.Value(job.Decimation.RaiseBounds);
   archive.Value(job.Decimation.Nested);
 }
 

@@ -51,15 +51,11 @@ struct DecimationOptions
   /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */
   std::vector<double> Targets;
   /**
-   * Per target, if there are any: no collapse before the target may make a face that is farther from
-   * the mesh. They never fall.
+   * Per number, if there are any: no collapse before it may make a face that is farther from the
+   * mesh. They never fall. Each is approached in steps: the closer faces have to be at first, the
+   * closer they are in the end. A number is given up where the steps leave no hope for it.
    */
   std::vector<double> Bounds;
-  /**
-   * Whether each bound is approached in steps: the closer faces have to be at first, the closer they
-   * are in the end. A target is given up where the steps leave no hope for it.
-   */
-  int RaiseBounds = 0;
   /** Each result lies inside all coarser ones. Otherwise results are tighter. */
   int Nested = 0;
 };

@@ -144,17 +144,17 @@ std::vector<double> ListBounds(const DecimationOptions& options, std::size_t tar
     // The measured error may be 1 % too large; it has to be within the bound, too.
     return { options.Targets[target] / 1.01 };
   }
-  const double last = options.Bounds.empty() ? HUGE_VAL : options.Bounds[target];
-  if (!options.RaiseBounds || std::isinf(last))
+  if (options.Bounds.empty())
   {
-    return { last };
+    return { HUGE_VAL };
   }
   constexpr double first = 0.88; // lower ones take more time, and raise the mean distance
   constexpr int steps = 2;
   std::vector<double> bounds;
   for (int step = 0; step <= steps; ++step)
   {
-    bounds.push_back(last * std::pow(first, 1.0 - static_cast<double>(step) / steps));
+    bounds.push_back(
+      options.Bounds[target] * std::pow(first, 1.0 - static_cast<double>(step) / steps));
   }
   return bounds;
 }

@@ -71,7 +71,7 @@ TEST(Protocol, RestoresAJob)
   job.InitialContours = { { { 3, 1, 0 }, { 4, 1, 0 } }, { { 1, 0 } } };
   job.Surface.Points = { { 6.0, 7.0, 8.0 } };
   job.Surface.Triangles = { { 0, 0, 0 } };
-  job.Decimation = { DecimationTarget::ErrorBound, { 0.5, 0.25 }, { 0.1, 0.2 }, 1, 1 };
+  job.Decimation = { DecimationTarget::ErrorBound, { 0.5, 0.25 }, { 0.1, 0.2 }, 1 };
   const std::string bytes = Written(job);
   Job restored;
   ASSERT_EQ(Read(bytes.data(), bytes.size(), restored), "");
@@ -92,7 +92,6 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.Decimation.Type, job.Decimation.Type);
   EXPECT_EQ(restored.Decimation.Targets, job.Decimation.Targets);
   EXPECT_EQ(restored.Decimation.Bounds, job.Decimation.Bounds);
-  EXPECT_EQ(restored.Decimation.RaiseBounds, job.Decimation.RaiseBounds);
   EXPECT_EQ(restored.Decimation.Nested, job.Decimation.Nested);
 }
 

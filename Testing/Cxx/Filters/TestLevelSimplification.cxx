@@ -143,7 +143,7 @@ TEST(LevelSimplification, IsNeverFartherWithMoreVertices)
     const std::vector<double> targets = { 60, 90, 130, 200, 300 };
     vtkNew<vtkTopologyCarver> carver;
     CarveSimplified(
-      carver, vtkTopologyCarver::VERTICES, targets, ToPolyData(models::Soup(40, random)));
+      carver, vtkTopologyCarver::VERTICES, targets, ToPolyData(models::Soup(25, random)));
     double least = HUGE_VAL;
     for (int level = 0; level < CountLevels(carver); ++level)
     {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/LevelSimplifier.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
+#include "Session/TrialPlans.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,14 +90,9 @@ LevelSimplifier::LevelSimplifier(
 /** Drops the numbers that the topology, and parts that touch each other, leave no hope for. */
 void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
 {
-  // A closed surface has at least four vertices. In practice, each handle keeps about as many.
-  // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
-  const double least =
-    std::max(4.0 * trial.SurfaceComponents + 4.0 * std::max(trial.SurfaceGenus, 0),
-      static_cast<double>(CountCopies(trial.Points)));
-  trial.Targets.erase(
-    std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-      [least](const TrialTarget& target) { return std::max(target.Value, 4.0) < least; }),
+  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
+                        [least = trial.LeastVertices](const TrialTarget& target)
+                        { return std::max(target.Value, 4.0) < least; }),
     trial.Targets.end());
 }
 
@@ -109,6 +106,10 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
   trial.SurfaceComponents = topology.Components;
   trial.SurfaceGenus = topology.Genus;
   trial.Points = cut.Points;
+  // A closed surface has at least four vertices. In practice, each handle keeps about as many.
+  // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
+  trial.LeastVertices = std::max(4.0 * topology.Components + 4.0 * std::max(topology.Genus, 0),
+    static_cast<double>(CountCopies(cut.Points)));
   if (type != LevelTarget::ErrorBound)
   {
     DropNumbersOutOfReach(trial);
@@ -178,6 +179,14 @@ double LevelSimplifier::FindLeastError(int step, double enough) const
 /** Drops the targets for which an earlier trial has a result that this one could hardly beat. */
 void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const
 {
+  if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
+  {
+    const double diagonal = carving::Diagonal(this->Mesh.Points);
+    const auto isMet = [&](const TrialTarget& target)
+    { return IsLastStepGoodEnough(this->Trials, trial.LastStep, target.Value, diagonal); };
+    trial.Targets.erase(
+      std::remove_if(trial.Targets.begin(), trial.Targets.end(), isMet), trial.Targets.end());
+  }
   const auto bestError = [&](double value)
   {
     const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
@@ -326,10 +335,11 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     return true;
   }
   this->Threads = settings.ThreadsOfLeaf;
-  constexpr int rounds = 5;
+  constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round)
   {
-    std::vector<LevelTrial> trials = round == 0 ? PlanTrials(profile, targets)
+    std::vector<LevelTrial> trials = round == 0 ? PlanTrialsOfLastSteps(targets)
+      : round == 1                              ? PlanTrials(profile, targets)
       : round < rounds - 1                      ? PlanTrialsBetween(profile, targets, this->Trials)
                                                 : PlanTighterTrials(profile, targets, this->Trials);
     if (!this->RunTrials(targets, std::move(trials), round * 1.0 / rounds, (round + 1.0) / rounds))

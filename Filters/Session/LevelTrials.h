@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which steps of a stream are decimated for which levels.
- *
- * A level with few vertices can be carved up to that number, or be carved further and decimated.
- * Collapses keep the topology of a step, and stick where tunnels and components need all remaining
- * vertices. A step of the same topology with fewer vertices only gives levels that are farther from
- * M. So trials decimate the last step, and earlier ones whose topology differs.
+ * Steps of a stream that are decimated for simplified levels, and which of the results is best.
  */
 #ifndef LevelTrials_h
 #define LevelTrials_h
@@ -37,32 +32,8 @@ struct LevelTrial
   std::vector<int> Cells;  ///< per face of the step's surface: the cell of the stored stream
   int SurfaceComponents = 0;
   int SurfaceGenus = 0;
+  double LeastVertices = 0.0; ///< that the topology of the step's surface needs, in practice
 };
-
-/**
- * The last step for each target, steps at halved numbers of vertices where the topology differs (if
- * there are none, at halved numbers of components and tunnels), C0, and the steps that reach
- * numbers without a collapse: no level is farther from M. Each is tried for all finer numbers, too.
- * The targets are of one type and sorted from coarse to fine.
- */
-std::vector<LevelTrial> PlanTrials(
-  const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);
-
-/**
- * Steps halfway between the best trial for each target and the next ones that have been tried
- * before and after, where the topology differs. They are tried for all coarser targets, and for all
- * finer numbers, too.
- */
-std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
-
-/**
- * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
- * a little below the distances that have been reached. Not for steps with many vertices, which are
- * close to M and would take long.
- */
-std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
 
 struct BestTrial
 {
@@ -71,11 +42,22 @@ struct BestTrial
 };
 
 /**
- * The best trial of a step up to `lastStep` for a target, and its surface for this or a smaller
- * number: one that reaches the number, and has the smallest distance from M, or, within an error
- * bound, the fewest vertices.
+ * The trials of steps up to `lastStep` that have a surface for a target, from good to bad, each with
+ * its best surface for this or a smaller number. Those that reach a number come first, the closest
+ * to M before all; within an error bound, those with the fewest vertices.
  */
+std::vector<BestTrial> RankTrials(
+  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
+
+/** The first of the ranked trials. */
 BestTrial FindBestTrial(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
+
+/**
+ * Whether neither the topology of the last step nor its pits keep a level with `value` vertices or
+ * triangles far from M: an earlier step would hardly be closer. `diagonal` is that of M.
+ */
+bool IsLastStepGoodEnough(
+  const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal);
 
 #endif

@@ -9,6 +9,7 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/MedianSplit.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -94,12 +95,19 @@ public:
   void ForEachOverlap(const Box& box, Visitor&& visit) const
   {
     this->Walk([&box](const Box& other) { return other.Overlaps(box); },
-      [](const Box&, const Box&) { return false; }, visit);
+      [](const Box&, const Box&) { return false; },
+      [&](int item)
+      {
+        if (this->All.BoxOf(item).Overlaps(box))
+        {
+          visit(item);
+        }
+      });
   }
 
   /**
    * Calls `visit` with each item whose box `meets` accepts, as it must all boxes around an accepted
-   * one. Boxes that reach farther up in a direction mostly come first.
+   * one, and with others near them. Boxes that reach farther up in a direction mostly come first.
    */
   template <class Predicate, class Visitor>
   void ForEachFromTop(const Point& up, Predicate&& meets, Visitor&& visit) const
@@ -182,7 +190,7 @@ private:
     int Item;
   };
 
-  /** `isLater` says of two children whether the first one comes later. */
+  /** Visits the items of the leaves that `meets` accepts. `isLater` says of two children whether the first one comes later. */
   template <class Predicate, class IsLater, class Visitor>
   void Walk(Predicate&& meets, IsLater&& isLater, Visitor&& visit) const
   {
@@ -211,13 +219,7 @@ private:
         open[count++] = next;
         continue;
       }
-      for (int i = node.First; i < node.Last; ++i)
-      {
-        if (meets(this->All.BoxOf(this->Order[i])))
-        {
-          visit(this->Order[i]);
-        }
-      }
+      std::for_each(this->Order.begin() + node.First, this->Order.begin() + node.Last, visit);
     }
   }
 

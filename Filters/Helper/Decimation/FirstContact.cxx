@@ -51,6 +51,18 @@ bool SweptFace::Slab::Overlaps(const Box& box) const
   return lower <= this->Upper && this->Lower <= upper;
 }
 
+bool SweptFace::Slab::Overlaps(const std::array<Point, 3>& triangle) const
+{
+  const double a = Dot(this->Normal, triangle[0]), b = Dot(this->Normal, triangle[1]),
+               c = Dot(this->Normal, triangle[2]);
+  return std::min({ a, b, c }) <= this->Upper && this->Lower <= std::max({ a, b, c });
+}
+
+bool SweptFace::MayMeet(const std::array<Point, 3>& triangle) const
+{
+  return this->Slabs[0].Overlaps(triangle) && this->Slabs[1].Overlaps(triangle);
+}
+
 bool SweptFace::MayMeet(const Box& box) const
 {
   return this->Bounds.Overlaps(box) && this->Slabs[0].Overlaps(box) && this->Slabs[1].Overlaps(box);

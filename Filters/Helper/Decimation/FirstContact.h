@@ -31,6 +31,7 @@ public:
   SweptFace(const Point& a, const Point& b, const Point& from, const Point& to, double margin);
 
   bool MayMeet(const Box& box) const;
+  bool MayMeet(const std::array<Point, 3>& triangle) const;
 
   /** Of the face at the start of the motion; not normalized. */
   const Point& GetStartNormal() const
@@ -46,6 +47,7 @@ private:
     double Lower, Upper;
 
     bool Overlaps(const Box& box) const;
+    bool Overlaps(const std::array<Point, 3>& triangle) const;
   };
 
   Box Bounds;

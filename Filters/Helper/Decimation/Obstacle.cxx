@@ -86,6 +86,10 @@ std::optional<FirstContact> Obstacle::FindContact(
       {
         const double time = search.GetTime();
         const auto corners = this->Tree.GetItems().CornersOf(t);
+        if (!swept.MayMeet(corners))
+        {
+          return;
+        }
         for (int k = 0; k < 3; ++k)
         {
           if (this->Vertices[t] >> k & 1)

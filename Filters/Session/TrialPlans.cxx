@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/TrialPlans.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace
+{
+
+using carving::LevelTarget;
+using carving::Profile;
+using carving::SimplifiedTarget;
+
+bool HaveSameTopology(const Profile& profile, int a, int b)
+{
+  return profile.Components[a] == profile.Components[b] &&
+    profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
+}
+
+/** The last step up to `last` with at most this many vertices; -1 if C0 has more. */
+int FindStep(const Profile& profile, int last, double vertices)
+{
+  const auto begin = profile.Vertices.begin();
+  return static_cast<int>(std::upper_bound(begin, begin + last + 1, vertices) - begin) - 1;
+}
+
+/** The last step up to `last` with at most this many components and tunnels; 0 if there is none. */
+int FindSimpleStep(const Profile& profile, int last, double parts)
+{
+  int step = last;
+  while (step > 0 && profile.Components[step] + profile.Tunnels[step] > parts)
+  {
+    --step;
+  }
+  return step;
+}
+
+/** Adds a target to the trial of a step, which is added if there is none. */
+void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step,
+  double bound = HUGE_VAL)
+{
+  auto trial = std::find_if(trials.begin(), trials.end(),
+    [&](const LevelTrial& other)
+    { return other.LastStep == target.LastStep && other.Step == step; });
+  if (trial == trials.end())
+  {
+    trials.emplace_back();
+    trial = trials.end() - 1;
+    trial->LastStep = target.LastStep;
+    trial->Step = step;
+  }
+  std::vector<TrialTarget>& all = trial->Targets;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&](const TrialTarget& other) { return other.Value == target.Value; });
+  if (found == all.end())
+  {
+    all.push_back({ target.Value, bound });
+    const bool byError = target.Type == LevelTarget::ErrorBound;
+    std::sort(all.begin(), all.end(),
+      [byError](const TrialTarget& a, const TrialTarget& b)
+      { return byError ? a.Value < b.Value : a.Value > b.Value; });
+  }
+}
+
+using TargetIterator = std::vector<SimplifiedTarget>::const_iterator;
+
+/** Adds the targets of a range that have this last step to the trial of `step`. */
+void AddTargets(
+  std::vector<LevelTrial>& trials, int lastStep, int step, TargetIterator begin, TargetIterator end)
+{
+  for (auto target = begin; target != end; ++target)
+  {
+    if (target->LastStep == lastStep)
+    {
+      AddTarget(trials, *target, step);
+    }
+  }
+}
+
+/** The end of the targets that a trial for one of them is worth: finer numbers, not finer bounds. */
+TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetIterator target)
+{
+  return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();
+}
+
+/** The steps before the last one that are decimated for a target at first, from fine to coarse. */
+std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
+{
+  const int last = target.LastStep;
+  std::vector<int> steps = { last };
+  const double least = target.Type == LevelTarget::Vertices ? target.Value
+    : target.Type == LevelTarget::Triangles                 ? target.Value / 2.0
+                                                            : 1.0;
+  for (double count = profile.Vertices[last] / 2.0; count >= least; count /= 2.0)
+  {
+    const int step = FindStep(profile, last, count);
+    if (step < 0)
+    {
+      break;
+    }
+    if (!HaveSameTopology(profile, step, steps.back()))
+    {
+      steps.push_back(step);
+    }
+  }
+  if (steps.size() == 1) // all vertices are on the hull, so that their number tells nothing
+  {
+    constexpr double verticesOfPart = 4.0; // a component or tunnel keeps about as many
+    for (double parts = least / verticesOfPart; parts >= 1.0; parts /= 2.0)
+    {
+      const int step = FindSimpleStep(profile, last, parts);
+      if (!HaveSameTopology(profile, step, steps.back()))
+      {
+        steps.push_back(step);
+      }
+    }
+  }
+  if (steps.back() > 0) // collapses of a convex hull do not stick
+  {
+    steps.push_back(0);
+  }
+  steps.erase(steps.begin());
+  return steps;
+}
+
+/** The steps halfway to the next ones that have been tried, unless the topology is no other. */
+std::vector<int> FindStepsBetween(
+  const Profile& profile, const std::vector<LevelTrial>& trials, const LevelTrial& best)
+{
+  int coarser = best.Step, finer = best.Step;
+  for (const LevelTrial& trial : trials)
+  {
+    const int step = trial.Step;
+    if (step < best.Step && (coarser == best.Step || step > coarser))
+    {
+      coarser = step;
+    }
+    if (step > best.Step && step <= best.LastStep && (finer == best.Step || step < finer))
+    {
+      finer = step;
+    }
+  }
+  std::vector<int> steps;
+  for (const auto& [low, high] :
+    { std::array{ coarser, best.Step }, std::array{ best.Step, finer } })
+  {
+    const bool sameCount = profile.Vertices[low] == profile.Vertices[high];
+    const int middle = sameCount
+      ? (low + high) / 2
+      : FindStep(profile, high,
+          std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
+    if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
+    {
+      steps.push_back(middle);
+    }
+  }
+  return steps;
+}
+
+} // namespace
+
+std::vector<LevelTrial> PlanTrialsOfLastSteps(const std::vector<SimplifiedTarget>& targets)
+{
+  std::vector<LevelTrial> trials;
+  for (const SimplifiedTarget& target : targets)
+  {
+    AddTarget(trials, target, target.LastStep);
+  }
+  return trials;
+}
+
+std::vector<LevelTrial> PlanTrials(
+  const Profile& profile, const std::vector<SimplifiedTarget>& targets)
+{
+  std::vector<LevelTrial> trials;
+  for (auto target = targets.begin(); target != targets.end(); ++target)
+  {
+    // A step that is good for a coarse level may be better for a finer one than any other, too.
+    const auto end = FindEnd(targets, target);
+    for (const int step : SelectSteps(profile, *target))
+    {
+      AddTargets(trials, target->LastStep, step, target, end);
+    }
+    if (target->Type != LevelTarget::ErrorBound)
+    {
+      const carving::SelectedStep carved =
+        carving::SelectStep(profile, target->Type, target->Value);
+      if (carved.Problem.empty() && carved.Step < target->LastStep)
+      {
+        AddTargets(trials, target->LastStep, carved.Step, target, end);
+      }
+    }
+  }
+  // From fine to coarse: the first trials tell which others are worth their time.
+  std::stable_sort(trials.begin(), trials.end(),
+    [](const LevelTrial& a, const LevelTrial& b) { return a.Step > b.Step; });
+  return trials;
+}
+
+std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+{
+  std::vector<LevelTrial> added;
+  for (auto target = targets.begin(); target != targets.end(); ++target)
+  {
+    const BestTrial best = FindBestTrial(trials, *target, target->LastStep);
+    for (const int step :
+      best.Trial ? FindStepsBetween(profile, trials, *best.Trial) : std::vector<int>())
+    {
+      // A coarser level may not come from a later step, so the coarser targets are tried as well.
+      AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
+    }
+  }
+  return added;
+}
+
+std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+{
+  constexpr double share = 0.85; // of the distance; for less gain, the mean distance grows too much
+  constexpr std::size_t candidates = 3;
+  constexpr int manyVertices = 20000;
+  std::vector<LevelTrial> added;
+  for (const SimplifiedTarget& target : targets)
+  {
+    const std::vector<BestTrial> closest = RankTrials(trials, target, target.LastStep);
+    if (target.Type == LevelTarget::ErrorBound || closest.empty() ||
+      !closest.front().Surface->Reached)
+    {
+      continue;
+    }
+    const double bound = share * closest.front().Surface->Error;
+    for (std::size_t i = 0; i < std::min(candidates, closest.size()); ++i)
+    {
+      const auto& [trial, surface] = closest[i];
+      if (surface->Reached && share * surface->Error <= closest.front().Surface->Error &&
+        profile.Vertices[trial->Step] <= manyVertices)
+      {
+        AddTarget(added, target, trial->Step, bound);
+      }
+    }
+  }
+  return added;
+}

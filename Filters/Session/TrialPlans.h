@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which steps of a stream are decimated for which levels.
+ *
+ * A level with few vertices can be carved up to that number, or be carved further and decimated.
+ * Collapses keep the topology of a step, and stick where tunnels and components need all remaining
+ * vertices. A step of the same topology with fewer vertices only gives levels that are farther from
+ * M. So trials decimate the last step, and earlier ones whose topology differs.
+ */
+#ifndef TrialPlans_h
+#define TrialPlans_h
+
+#include "Session/LevelTrials.h"
+
+#include <vector>
+
+/** The last step for each target. */
+std::vector<LevelTrial> PlanTrialsOfLastSteps(
+  const std::vector<carving::SimplifiedTarget>& targets);
+
+/**
+ * Earlier steps: at halved numbers of vertices where the topology differs (if there are none, at
+ * halved numbers of components and tunnels), C0, and the steps that reach numbers without a
+ * collapse: no level is farther from M. Each is tried for all finer numbers, too. The targets are
+ * of one type and sorted from coarse to fine.
+ */
+std::vector<LevelTrial> PlanTrials(
+  const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);
+
+/**
+ * Steps halfway between the best trial for each target and the next ones that have been tried
+ * before and after, where the topology differs. They are tried for all coarser targets, and for all
+ * finer numbers, too.
+ */
+std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+
+/**
+ * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
+ * a little below the distances that have been reached. Not for steps with many vertices, which are
+ * close to M and would take long.
+ */
+std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+
+#endif

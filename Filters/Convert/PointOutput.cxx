@@ -3,97 +3,50 @@
 
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
-#include "vtkCellArray.h"
-#include "vtkCellLocator.h"
+#include "Convert/CarverInput.h"
+#include "Convert/ContourInput.h"
+#include "Core/Mesh/FacetTree.h"
 #include "vtkDoubleArray.h"
-#include "vtkGenericCell.h"
 #include "vtkIdTypeArray.h"
+#include "vtkLine.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
+#include "vtkTriangle.h"
 
 #include <cmath>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace
 {
 
-/** A point of a surface. */
-struct Closest
+/** The facets of an input that can be carved, in the order of its coordinates. */
+template <int D>
+carving::ResolvedInput<D> FacetsOf(vtkPolyData* input)
 {
-  vtkIdType Cell = -1;
-  carving::Point At;
-};
-
-/** Finds the points of a surface that are closest to some points. */
-class ClosestFinder
-{
-public:
-  ClosestFinder(vtkPolyData* surface, const std::vector<vtkIdType>& ids,
-    const std::vector<carving::Point>& points, std::vector<Closest>& found)
-    : Surface(surface)
-    , Ids(ids)
-    , Points(points)
-    , Found(found)
+  carving::ResolvedInput<D> facets;
+  if constexpr (D == 3)
   {
+    CarverInput triangles;
+    triangles.Gather(input);
+    facets.Points = std::move(triangles.Mesh.Points);
+    facets.Facets = std::move(triangles.Mesh.Triangles);
   }
-
-  void Initialize()
+  else
   {
-    // Deterministic for equally close cells; the order of vtkStaticCellLocator depends on its
-    // threads. Queries use the locator's memory, so that each thread needs its own.
-    vtkCellLocator* locator = this->Locators.Local();
-    locator->SetDataSet(this->Surface);
-    locator->CacheCellBoundsOn();
-    locator->SetNumberOfCellsPerBucket(1);
-    locator->BuildLocator();
+    ContourInput edges;
+    edges.Gather(input);
+    facets.Points = std::move(edges.Contours.Points);
+    facets.Facets = std::move(edges.Contours.Edges);
+    edges.Restore(facets.Points);
   }
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    vtkNew<vtkGenericCell> cell;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      double distance;
-      int subId = 0;
-      this->Locators.Local()->FindClosestPoint(this->Points[this->Ids[i]].data(),
-        this->Found[i].At.data(), cell, this->Found[i].Cell, subId, distance);
-    }
-  }
-  void Reduce()
-  {
-  }
-
-private:
-  vtkPolyData* Surface;
-  const std::vector<vtkIdType>& Ids;
-  const std::vector<carving::Point>& Points;
-  std::vector<Closest>& Found;
-  vtkSMPThreadLocalObject<vtkCellLocator> Locators;
-};
-
-/** Several threads may read cells at once only if they are stored as vtkIdType. */
-vtkSmartPointer<vtkCellArray> CopyForThreads(vtkCellArray* cells)
-{
-  auto copy = vtkSmartPointer<vtkCellArray>::New();
-  copy->DeepCopy(cells);
-  copy->ConvertToDefaultStorage();
-  return copy;
-}
-
-std::vector<Closest> FindClosest(vtkPolyData* surface, const std::vector<vtkIdType>& ids,
-  const std::vector<carving::Point>& points)
-{
-  std::vector<Closest> found(ids.size());
-  surface->BuildCells(); // before several threads would
-  surface->ComputeBounds();
-  ClosestFinder finder(surface, ids, points, found);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), finder);
-  return found;
+  return facets;
 }
 
 /** Gives new points the data of the closest point of the input. */
@@ -101,14 +54,6 @@ template <int D>
 void InterpolateNewPoints(
   const carving::ResolvedInput<D>& points, vtkPolyData* input, vtkPointData* output)
 {
-  vtkNew<vtkPolyData> surface; // without cells that bound nothing: vertices and, in space, lines
-  surface->SetPoints(input->GetPoints());
-  surface->SetPolys(CopyForThreads(input->GetPolys()));
-  surface->SetStrips(CopyForThreads(input->GetStrips()));
-  if (D == 2)
-  {
-    surface->SetLines(CopyForThreads(input->GetLines()));
-  }
   std::vector<vtkIdType> made;
   for (std::size_t i = 0; i < points.Points.size(); ++i)
   {
@@ -117,21 +62,37 @@ void InterpolateNewPoints(
       made.push_back(static_cast<vtkIdType>(i));
     }
   }
-  const std::vector<Closest> closest = FindClosest(surface, made, points.Points);
-  vtkNew<vtkGenericCell> cell;
-  std::vector<double> weights(std::max(3, surface->GetMaxCellSize()));
+  const carving::ResolvedInput<D> facets = FacetsOf<D>(input);
+  const carving::FacetTree<D> tree(facets);
+  std::vector<int> closest(made.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(made.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        closest[i] = tree.Find(points.Points[made[i]]).Item;
+      }
+    });
+  vtkNew<std::conditional_t<D == 3, vtkTriangle, vtkLine>> cell;
   for (std::size_t i = 0; i < made.size(); ++i)
   {
-    if (closest[i].Cell < 0)
+    if (closest[i] < 0)
     {
       continue; // all cells are degenerate
     }
-    double onCell[3], parametric[3], distance;
+    for (int k = 0; k < D; ++k)
+    {
+      const int corner = facets.Facets[closest[i]][k];
+      cell->GetPointIds()->SetId(k, corner);
+      cell->GetPoints()->SetPoint(k, facets.Points[corner].data());
+    }
+    // The weights of a point that is not on the cell would be those of an extrapolation.
+    double onCell[3], again[3], parametric[3], distance, weights[D];
     int subId = 0;
-    surface->GetCell(closest[i].Cell, cell);
     cell->EvaluatePosition(
-      closest[i].At.data(), onCell, subId, parametric, distance, weights.data());
-    output->InterpolatePoint(input->GetPointData(), made[i], cell->GetPointIds(), weights.data());
+      points.Points[made[i]].data(), onCell, subId, parametric, distance, weights);
+    cell->EvaluatePosition(onCell, again, subId, parametric, distance, weights);
+    output->InterpolatePoint(input->GetPointData(), made[i], cell->GetPointIds(), weights);
   }
 }
 

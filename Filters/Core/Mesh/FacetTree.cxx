@@ -45,7 +45,7 @@ FacetTree<D>::FacetTree(const ResolvedInput<D>& mesh)
 template <int D>
 typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
 {
-  Closest closest = { {}, Box::Infinity };
+  Closest closest = { {}, Box::Infinity, -1 };
   this->ForEachNear(p, Box::Infinity,
     [&](int facet)
     {
@@ -53,7 +53,7 @@ typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
       const double distance = DistanceTo(corners, p);
       if (distance < closest.Distance)
       {
-        closest = { corners, distance };
+        closest = { corners, distance, facet };
       }
       return closest.Distance * closest.Distance;
     });

@@ -80,6 +80,7 @@ public:
   {
     FacetCorners<D> Facet;
     double Distance;
+    int Item; ///< its index; -1 if the area of each facet is zero
   };
   Closest Find(const Point& p) const;
 };

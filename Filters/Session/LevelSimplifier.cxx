@@ -181,11 +181,12 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
 {
   if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
   {
+    // Only from the finest one on: a coarser level may not come from a later step.
     const double diagonal = carving::Diagonal(this->Mesh.Points);
-    const auto isMet = [&](const TrialTarget& target)
-    { return IsLastStepGoodEnough(this->Trials, trial.LastStep, target.Value, diagonal); };
-    trial.Targets.erase(
-      std::remove_if(trial.Targets.begin(), trial.Targets.end(), isMet), trial.Targets.end());
+    const auto firstToTry = std::find_if(trial.Targets.begin(), trial.Targets.end(),
+      [&](const TrialTarget& target)
+      { return !IsLastStepGoodEnough(this->Trials, trial.LastStep, target.Value, diagonal); });
+    trial.Targets.erase(trial.Targets.begin(), firstToTry);
   }
   const auto bestError = [&](double value)
   {

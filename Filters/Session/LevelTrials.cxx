@@ -78,7 +78,8 @@ bool IsLastStepGoodEnough(
   // Their product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the
   // vertices.
   constexpr double smooth = 6.0;
-  constexpr double mostGrowth = 2.0;
+  constexpr double mostGrowth = 1.25;
+  constexpr double many = 0.25; // of the vertices: the distance depends on details of M
   for (const LevelTrial& trial : trials)
   {
     double finer = smooth * diagonal; // the product for the next finer target
@@ -90,7 +91,7 @@ bool IsLastStepGoodEnough(
       if (trial.Targets[i].Value == value)
       {
         return surface.Reached && vertices >= room * trial.LeastVertices &&
-          (2.0 * vertices >= trial.Result.Chain.Vertices ||
+          (vertices >= many * trial.Result.Chain.Vertices ||
             product <= (i > 0 ? mostGrowth : 1.0) * finer);
       }
       finer = product;

@@ -55,7 +55,8 @@ void ChainRecorder::AddCollapse(
   for (const Face face : faces)
   {
     const bool remains = !surface.is_removed(face);
-    this->Replace(this->Now[face], remains ? this->CornersNow(surface, face) : Removed);
+    this->Replace(
+      this->Now[face], remains ? this->CornersNow(surface, face) : Removed, this->Chain.Collapses);
   }
 }
 
@@ -66,13 +67,22 @@ void ChainRecorder::AddMove(
   this->Points.push_back(surface.point(vertex));
   for (const Face face : faces)
   {
-    this->Replace(this->Now[face], this->CornersNow(surface, face));
+    this->Replace(this->Now[face], this->CornersNow(surface, face), this->Chain.Collapses);
   }
 }
 
-void ChainRecorder::Replace(ChainFace& face, const Triangle& corners)
+void ChainRecorder::AddMoveBack(
+  const SurfaceMesh& surface, Vertex vertex, int point, const std::vector<Face>& faces)
 {
-  const int collapses = this->Chain.Collapses;
+  this->PointOfVertex[vertex] = point;
+  for (const Face face : faces)
+  {
+    this->Replace(this->Now[face], this->CornersNow(surface, face), this->Chain.Collapses + 1);
+  }
+}
+
+void ChainRecorder::Replace(ChainFace& face, const Triangle& corners, int collapses)
+{
   if (corners == face.Corners)
   {
     return;

@@ -34,6 +34,19 @@ public:
   /** Adds that a vertex has just moved. `faces` are all faces around this vertex. */
   void AddMove(const SurfaceMesh& surface, Vertex vertex, const std::vector<Face>& faces);
 
+  /**
+   * Adds that a vertex has just moved back to a point of the chain. This counts with the next
+   * collapse, which has to follow.
+   */
+  void AddMoveBack(
+    const SurfaceMesh& surface, Vertex vertex, int point, const std::vector<Face>& faces);
+
+  /** The point of the chain at which a vertex is now. */
+  int GetPoint(Vertex vertex) const
+  {
+    return this->PointOfVertex[vertex];
+  }
+
   int GetNumberOfCollapses() const
   {
     return this->Chain.Collapses;
@@ -43,7 +56,7 @@ public:
   void Take(CollapseChain& chain, std::vector<Point>& points) &&;
 
 private:
-  void Replace(ChainFace& face, const Triangle& corners);
+  void Replace(ChainFace& face, const Triangle& corners, int collapses);
   Triangle CornersNow(const SurfaceMesh& surface, Face face) const;
 
   CollapseChain Chain;            ///< without faces

@@ -125,6 +125,38 @@ bool Decimator::Refill()
 
 bool Decimator::Run(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder)
 {
+  this->SetTightened(false);
+  const bool mayCollapse = this->CollapseAll(goOn, triesHarder);
+  this->SetTightened(true); // unless an edge has collapsed
+  return mayCollapse;
+}
+
+/** Moves the tightened vertices back, or forth again. */
+void Decimator::SetTightened(bool tightened)
+{
+  for (const auto& [vertex, move] : this->Moves)
+  {
+    this->Surface.point(vertex) = tightened ? move.To : move.From;
+    this->Collisions.Update(Star(this->Surface, vertex));
+    this->PushAround(vertex);
+  }
+}
+
+/** The history still has the tightened vertices. */
+void Decimator::RecordMovesBack()
+{
+  for (const auto& [vertex, move] : this->Moves)
+  {
+    this->History.AddMoveBack(
+      this->Surface, vertex, move.ChainPoint, Star(this->Surface, vertex).Faces);
+  }
+  this->Moves.clear();
+}
+
+/** See Run. */
+bool Decimator::CollapseAll(
+  const std::function<bool()>& goOn, const std::function<bool()>& triesHarder)
+{
   while (goOn())
   {
     std::optional<CollapseQueue::Edge> next = this->Queue.Pop();
@@ -308,6 +340,7 @@ bool Decimator::IsWithinErrorBound(const Star& star, const Point& w) const
 
 void Decimator::Collapse(HalfEdge edge, const Star& star, const Point& w)
 {
+  this->RecordMovesBack();
   const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
   Quadric quadric = this->Quadrics[u];
   quadric.Add(this->Quadrics[v]);
@@ -352,10 +385,11 @@ void Decimator::MoveInward(Vertex vertex)
     }
     if (this->IsValid(star, w) && this->IsWithinErrorBound(star, w))
     {
+      const Move first = { from, w, this->History.GetPoint(vertex) };
+      this->Moves.try_emplace(vertex, first).first->second.To = w;
       this->Surface.point(vertex) = w;
       this->History.AddMove(this->Surface, vertex, star.Faces);
       this->Collisions.Update(star);
-      this->PushAround(vertex);
       return;
     }
   }

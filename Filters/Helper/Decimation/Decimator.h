@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace carving::helper
@@ -55,7 +56,8 @@ public:
   /**
    * Moves vertices inward until their faces touch M: the surroundings have changed since a collapse
    * has placed them. Does nothing if surfaces have to be nested, or have many vertices. Stops as
-   * soon as `goOn` returns false.
+   * soon as `goOn` returns false. The next collapse takes place as if nothing had moved: collapses
+   * after such moves end farther from M.
    */
   void Tighten(const std::function<bool()>& goOn);
 
@@ -76,6 +78,13 @@ public:
   }
 
 private:
+  /** A move since the last collapse. */
+  struct Move
+  {
+    Point From, To;
+    int ChainPoint; ///< at From
+  };
+
   void AddPlanes();
   LocalError ErrorOf(HalfEdge edge) const;
   void PushBound(HalfEdge edge);
@@ -85,6 +94,9 @@ private:
     this->VerticesAtRefill = std::numeric_limits<double>::infinity();
   }
   bool Refill();
+  bool CollapseAll(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder);
+  void SetTightened(bool tightened);
+  void RecordMovesBack();
   bool IsWithinErrorBound(const Star& star, const Point& w) const;
   bool IsValid(const Star& star, const Point& w) const;
   std::vector<Point> FindOutward(HalfEdge edge, const Star& star, const LocalError& error);
@@ -112,7 +124,8 @@ private:
   double Area = 0.0;             ///< of the surface before the first collapse
   std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
-  bool UsesEnds = false; ///< whether edges also collapse into their ends
+  bool UsesEnds = false;        ///< whether edges also collapse into their ends
+  std::map<Vertex, Move> Moves; ///< of Tighten
 };
 
 } // namespace carving::helper

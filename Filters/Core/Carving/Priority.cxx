@@ -51,12 +51,16 @@ double Circumradius(const CellCorners<2>& p)
   return Length(p[1] - p[0]) * Length(p[2] - p[1]) * Length(p[0] - p[2]) / (4.0 * Size(p));
 }
 
-/** The distance of each cell's centroid from M. */
+/** The distance of each cell's centroid from M; 0 if M is empty. */
 template <int D>
 std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
 {
-  const FacetTree<D> tree(mesh.GetInput());
   std::vector<double> distances = MakeLarge<double>(mesh.Cells.size());
+  if (mesh.GetInput().Facets.empty())
+  {
+    return distances;
+  }
+  const FacetTree<D> tree(mesh.GetInput());
   constexpr int part = 1024; // cells that a thread takes at a time
   const int count = static_cast<int>(distances.size());
   ForEach(threads, (count + part - 1) / part,

@@ -106,8 +106,9 @@ public:
   }
 
   /**
-   * Calls `visit` with each item whose box `meets` accepts, as it must all boxes around an accepted
-   * one, and with others near them. Boxes that reach farther up in a direction mostly come first.
+   * Calls `visit` with each item whose box `meets` accepts, and with the other items of its leaf.
+   * `meets` has to accept all boxes around an accepted one. Boxes that reach farther up in a
+   * direction mostly come first.
    */
   template <class Predicate, class Visitor>
   void ForEachFromTop(const Point& up, Predicate&& meets, Visitor&& visit) const
@@ -190,7 +191,10 @@ private:
     int Item;
   };
 
-  /** Visits the items of the leaves that `meets` accepts. `isLater` says of two children whether the first one comes later. */
+  /**
+   * Visits the items of the leaves that `meets` accepts. `isLater` says of two children whether the
+   * first one comes later.
+   */
   template <class Predicate, class IsLater, class Visitor>
   void Walk(Predicate&& meets, IsLater&& isLater, Visitor&& visit) const
   {

@@ -52,12 +52,7 @@ void ChainRecorder::AddCollapse(
     this->Points.push_back(w);
   }
   ++this->Chain.Collapses;
-  for (const Face face : faces)
-  {
-    const bool remains = !surface.is_removed(face);
-    this->Replace(
-      this->Now[face], remains ? this->CornersNow(surface, face) : Removed, this->Chain.Collapses);
-  }
+  this->ReplaceAll(surface, faces, this->Chain.Collapses);
 }
 
 void ChainRecorder::AddMove(
@@ -65,19 +60,24 @@ void ChainRecorder::AddMove(
 {
   this->PointOfVertex[vertex] = static_cast<int>(this->Points.size());
   this->Points.push_back(surface.point(vertex));
-  for (const Face face : faces)
-  {
-    this->Replace(this->Now[face], this->CornersNow(surface, face), this->Chain.Collapses);
-  }
+  this->ReplaceAll(surface, faces, this->Chain.Collapses);
 }
 
 void ChainRecorder::AddMoveBack(
   const SurfaceMesh& surface, Vertex vertex, int point, const std::vector<Face>& faces)
 {
   this->PointOfVertex[vertex] = point;
+  this->ReplaceAll(surface, faces, this->Chain.Collapses + 1);
+}
+
+/** Takes over how faces are after a number of collapses. */
+void ChainRecorder::ReplaceAll(
+  const SurfaceMesh& surface, const std::vector<Face>& faces, int collapses)
+{
   for (const Face face : faces)
   {
-    this->Replace(this->Now[face], this->CornersNow(surface, face), this->Chain.Collapses + 1);
+    const bool remains = !surface.is_removed(face);
+    this->Replace(this->Now[face], remains ? this->CornersNow(surface, face) : Removed, collapses);
   }
 }
 

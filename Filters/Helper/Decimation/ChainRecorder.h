@@ -56,6 +56,7 @@ public:
   void Take(CollapseChain& chain, std::vector<Point>& points) &&;
 
 private:
+  void ReplaceAll(const SurfaceMesh& surface, const std::vector<Face>& faces, int collapses);
   void Replace(ChainFace& face, const Triangle& corners, int collapses);
   Triangle CornersNow(const SurfaceMesh& surface, Face face) const;
 

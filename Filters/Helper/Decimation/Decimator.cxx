@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carving::helper
 {
@@ -125,24 +126,24 @@ bool Decimator::Refill()
 
 bool Decimator::Run(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder)
 {
-  this->SetTightened(false);
+  this->SwapMoves();
   const bool mayCollapse = this->CollapseAll(goOn, triesHarder);
-  this->SetTightened(true); // unless an edge has collapsed
+  this->SwapMoves(); // there are none if an edge has collapsed
   return mayCollapse;
 }
 
 /** Moves the tightened vertices back, or forth again. */
-void Decimator::SetTightened(bool tightened)
+void Decimator::SwapMoves()
 {
-  for (const auto& [vertex, move] : this->Moves)
+  for (auto& [vertex, move] : this->Moves)
   {
-    this->Surface.point(vertex) = tightened ? move.To : move.From;
+    std::swap(this->Surface.point(vertex), move.Other);
     this->Collisions.Update(Star(this->Surface, vertex));
     this->PushAround(vertex);
   }
 }
 
-/** The history still has the tightened vertices. */
+/** Records that the tightened vertices are back. Then they count as not tightened. */
 void Decimator::RecordMovesBack()
 {
   for (const auto& [vertex, move] : this->Moves)
@@ -385,8 +386,7 @@ void Decimator::MoveInward(Vertex vertex)
     }
     if (this->IsValid(star, w) && this->IsWithinErrorBound(star, w))
     {
-      const Move first = { from, w, this->History.GetPoint(vertex) };
-      this->Moves.try_emplace(vertex, first).first->second.To = w;
+      this->Moves.try_emplace(vertex, Move{ from, this->History.GetPoint(vertex) });
       this->Surface.point(vertex) = w;
       this->History.AddMove(this->Surface, vertex, star.Faces);
       this->Collisions.Update(star);

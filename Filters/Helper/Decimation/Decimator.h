@@ -78,11 +78,11 @@ public:
   }
 
 private:
-  /** A move since the last collapse. */
+  /** A vertex that has been tightened since the last collapse. */
   struct Move
   {
-    Point From, To;
-    int ChainPoint; ///< at From
+    Point Other;    ///< its position before, or after while edges collapse
+    int ChainPoint; ///< its point of the chain before
   };
 
   void AddPlanes();
@@ -95,7 +95,7 @@ private:
   }
   bool Refill();
   bool CollapseAll(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder);
-  void SetTightened(bool tightened);
+  void SwapMoves();
   void RecordMovesBack();
   bool IsWithinErrorBound(const Star& star, const Point& w) const;
   bool IsValid(const Star& star, const Point& w) const;
@@ -124,8 +124,8 @@ private:
   double Area = 0.0;             ///< of the surface before the first collapse
   std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
-  bool UsesEnds = false;        ///< whether edges also collapse into their ends
-  std::map<Vertex, Move> Moves; ///< of Tighten
+  bool UsesEnds = false; ///< whether edges also collapse into their ends
+  std::map<Vertex, Move> Moves;
 };
 
 } // namespace carving::helper

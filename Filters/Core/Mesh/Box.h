@@ -54,6 +54,13 @@ struct Box
       this->Lower[2] <= other.Upper[2] && other.Lower[2] <= this->Upper[2];
   }
 
+  bool Contains(const Box& other) const
+  {
+    return this->Lower[0] <= other.Lower[0] && other.Upper[0] <= this->Upper[0] &&
+      this->Lower[1] <= other.Lower[1] && other.Upper[1] <= this->Upper[1] &&
+      this->Lower[2] <= other.Lower[2] && other.Upper[2] <= this->Upper[2];
+  }
+
   double SquaredDistanceTo(const Point& p) const
   {
     double sum = 0.0;

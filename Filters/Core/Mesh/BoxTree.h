@@ -90,19 +90,13 @@ public:
     }
   }
 
-  /** Calls `visit` with each item whose box overlaps another one. */
-  template <class Visitor>
-  void ForEachOverlap(const Box& box, Visitor&& visit) const
+  /** Whether `predicate` holds for any item whose box overlaps another one. Stops at the first. */
+  template <class Predicate>
+  bool AnyOverlap(const Box& box, Predicate&& predicate) const
   {
-    this->Walk([&box](const Box& other) { return other.Overlaps(box); },
+    return this->Walk([&box](const Box& other) { return other.Overlaps(box); },
       [](const Box&, const Box&) { return false; },
-      [&](int item)
-      {
-        if (this->All.BoxOf(item).Overlaps(box))
-        {
-          visit(item);
-        }
-      });
+      [&](int item) { return this->All.BoxOf(item).Overlaps(box) && predicate(item); });
   }
 
   /**
@@ -123,7 +117,12 @@ public:
       return sum;
     };
     this->Walk(
-      meets, [&top](const Box& a, const Box& b) { return top(a) < top(b); }, visit);
+      meets, [&top](const Box& a, const Box& b) { return top(a) < top(b); },
+      [&visit](int item)
+      {
+        visit(item);
+        return false;
+      });
   }
 
   /**
@@ -192,11 +191,11 @@ private:
   };
 
   /**
-   * Visits the items of the leaves that `meets` accepts. `isLater` says of two children whether the
-   * first one comes later.
+   * Visits the items of the leaves that `meets` accepts, until `visit` returns true. Returns
+   * whether it has. `isLater` says of two children whether the first one comes later.
    */
   template <class Predicate, class IsLater, class Visitor>
-  void Walk(Predicate&& meets, IsLater&& isLater, Visitor&& visit) const
+  bool Walk(Predicate&& meets, IsLater&& isLater, Visitor&& visit) const
   {
     std::array<int, MostLevels> open;
     int count = 0;
@@ -223,8 +222,12 @@ private:
         open[count++] = next;
         continue;
       }
-      std::for_each(this->Order.begin() + node.First, this->Order.begin() + node.Last, visit);
+      if (std::any_of(this->Order.begin() + node.First, this->Order.begin() + node.Last, visit))
+      {
+        return true;
+      }
     }
+    return false;
   }
 
   void Build(std::vector<Entry>& entries, int first, int last, int parent)

@@ -157,18 +157,19 @@ FaceDistance<D>::FaceDistance(const ResolvedInput<D>& mesh)
 
 template <int D>
 typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
-  const FacetCorners<D>& face, int queries, double enough) const
+  const FacetCorners<D>& face, int queries, double enough, const FacetCorners<D>* nearby) const
 {
   std::priority_queue<Piece> pieces;
   double lower = 0.0;
-  pieces.push(this->MakePiece(face, nullptr, enough, lower));
+  pieces.push(this->MakePiece(face, nearby, enough, lower));
+  const FacetCorners<D> closest = pieces.top().Closest;
   for (int asked = 1;;)
   {
     const Piece top = pieces.top();
     const bool final = top.Upper <= Tolerance * lower || top.Upper <= this->Negligible;
     if (final || asked >= queries || top.Upper <= enough)
     {
-      return { lower, top.Upper, final };
+      return { lower, top.Upper, final, closest };
     }
     pieces.pop();
     for (const FacetCorners<D>& part : Split(top.Corners, top.Closest))
@@ -218,6 +219,7 @@ typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
     }
   }
   Piece piece = { corners, {}, Box::Infinity };
+  enough = std::max(enough, this->Negligible);
   double least = Box::Infinity;
   const auto consider = [&](const FacetCorners<D>& facet)
   {

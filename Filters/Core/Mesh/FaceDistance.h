@@ -50,15 +50,17 @@ public:
   {
     double Lower; ///< at most the distance of the farthest point
     double Upper;
-    bool Final; ///< whether `Upper` is at most 1 % too large
+    bool Final;             ///< whether `Upper` is at most 1 % too large
+    FacetCorners<D> Nearby; ///< a facet close to the center of the face
   };
 
   /**
    * Bounds, refined with at most this many queries for closest facets: the distance from
    * one facet is convex, so that its maximum over a piece of the face is at a corner. Stops early
-   * below `enough`.
+   * below `enough`. The first search begins at the facet `nearby`, if there is one.
    */
-  Bound Compute(const FacetCorners<D>& face, int queries, double enough = 0.0) const;
+  Bound Compute(const FacetCorners<D>& face, int queries, double enough = 0.0,
+    const FacetCorners<D>* nearby = nullptr) const;
 
   /**
    * Whether no point of the face is farther than a bound. Says no if this many queries do not

@@ -11,11 +11,28 @@ namespace carving::helper
 namespace
 {
 
-/** Triangles cover each other if they have the same corners, in any order. */
-bool CrossOrCover(const Corners3& a, const Corners3& b)
+/** A face that is compared with many others. */
+struct NewFace
 {
-  return TrianglesCross(a, b) || std::is_permutation(a.begin(), a.end(), b.begin());
-}
+  Corners3 Corners;
+  Box Bounds;
+  Piercer Prepared;
+
+  explicit NewFace(const std::array<Point, 3>& corners)
+    : Corners(ToInexact(corners))
+    , Bounds(BoxAround(corners))
+    , Prepared(this->Corners)
+  {
+  }
+
+  /** Triangles cover each other if they have the same corners, in any order. */
+  bool CrossesOrCovers(const Corners3& other) const
+  {
+    return !this->Prepared.IsBeside(other) &&
+      (TrianglesCross(this->Corners, other) ||
+        std::is_permutation(this->Corners.begin(), this->Corners.end(), other.begin()));
+  }
+};
 
 } // namespace
 
@@ -36,43 +53,41 @@ bool CollisionSearch::IsFree(const Star& star, const Point& w) const
 template <class Predicate>
 bool CollisionSearch::AnyOutside(const Star& star, const Box& box, Predicate&& predicate) const
 {
-  bool found = false;
-  this->Tree.ForEachOverlap(box,
+  return this->Tree.AnyOverlap(box,
     [&](int index)
     {
       const Face face(index);
-      found = found ||
-        (std::find(star.Faces.begin(), star.Faces.end(), face) == star.Faces.end() &&
-          predicate(ToInexact(CornersOf(this->Surface, face))));
+      return std::find(star.Faces.begin(), star.Faces.end(), face) == star.Faces.end() &&
+        predicate(CornersOf(this->Surface, face));
     });
-  return found;
 }
 
 /** Whether the new faces have no area, or cross or cover each other or the remaining faces. */
 bool CollisionSearch::Crosses(const Star& star, const Point& w) const
 {
-  std::vector<Corners3> fan;
+  std::vector<NewFace> fan;
+  fan.reserve(star.Link.size());
+  Box region;
   for (const auto& [a, b] : star.Link)
   {
-    const Corners3 face = ToInexact({ a, b, w });
-    if (CGAL::collinear(face[0], face[1], face[2]) ||
+    const NewFace face({ a, b, w });
+    if (CGAL::collinear(face.Corners[0], face.Corners[1], face.Corners[2]) ||
       std::any_of(fan.begin(), fan.end(),
-        [&face](const Corners3& other) { return CrossOrCover(face, other); }))
+        [&face](const NewFace& other) { return face.CrossesOrCovers(other.Corners); }))
     {
       return true;
     }
     fan.push_back(face);
+    region.Add(face.Bounds);
   }
-  for (std::size_t i = 0; i < fan.size(); ++i)
-  {
-    const Box box = BoxAround({ star.Link[i][0], star.Link[i][1], w });
-    if (this->AnyOutside(
-          star, box, [&face = fan[i]](const Corners3& other) { return CrossOrCover(face, other); }))
+  return this->AnyOutside(star, region,
+    [&fan](const std::array<Point, 3>& corners)
     {
-      return true;
-    }
-  }
-  return false;
+      const Box bounds = BoxAround(corners);
+      return std::any_of(fan.begin(), fan.end(),
+        [&](const NewFace& face)
+        { return face.Bounds.Overlaps(bounds) && face.CrossesOrCovers(ToInexact(corners)); });
+    });
 }
 
 bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
@@ -89,7 +104,8 @@ bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
       }
       return side != CGAL::COPLANAR &&
         this->AnyOutside(star, BoxAround({ corners[0], corners[1], corners[2], w }),
-          [&swept](const Corners3& face) { return Piercer(face).FindContact(swept).Exists(); });
+          [&swept](const std::array<Point, 3>& face)
+          { return Piercer(ToInexact(face)).FindContact(swept).Exists(); });
     });
 }
 

@@ -191,14 +191,11 @@ bool Decimator::CollapseAll(
  */
 void Decimator::Try(HalfEdge edge)
 {
-  if (!CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface))
-  {
-    return;
-  }
   const Star star(this->Surface, edge);
   const LocalError error = this->ErrorOf(edge);
   const std::optional<Point> known = this->Queue.GetPosition(this->Surface.edge(edge));
-  if (known && this->IsValid(star, *known) && this->IsWithinErrorBound(star, *known))
+  if (known && this->KeepsTopology(edge) && this->IsValid(star, *known) &&
+    this->IsWithinErrorBound(star, *known))
   {
     this->Collapse(edge, star, *known);
     return;
@@ -221,7 +218,7 @@ void Decimator::Try(HalfEdge edge)
   {
     this->Queue.Push(this->Surface.edge(edge), least);
   }
-  else if (known || !this->Defer(edge, star, error, inward, limit))
+  else if (this->KeepsTopology(edge) && (known || !this->Defer(edge, star, error, inward, limit)))
   {
     this->CollapseOrDefer(edge, star, error, outward, inward, limit);
   }
@@ -314,19 +311,15 @@ std::vector<Point> Decimator::FindOutward(HalfEdge edge, const Star& star, const
   return positions;
 }
 
-/** Whether M stays enclosed, and the surface does not cross itself. Exact. */
-bool Decimator::IsValid(const Star& star, const Point& w) const
+bool Decimator::KeepsTopology(HalfEdge edge) const
 {
-  std::vector<std::array<Point, 3>> passed; // faces that w is behind
-  for (const auto& corners : star.Corners)
-  {
-    const auto [a, b, c] = ToInexact(corners);
-    if (CGAL::orientation(a, b, c, ToInexact(w)) == CGAL::NEGATIVE)
-    {
-      passed.push_back(corners);
-    }
-  }
-  return this->M.AllowsRemoval(passed, w) && this->Collisions.IsFree(star, w);
+  return CGAL::Euler::does_satisfy_link_condition(this->Surface.edge(edge), this->Surface);
+}
+
+/** Whether M stays enclosed, and the surface does not cross itself. Exact. */
+bool Decimator::IsValid(const Star& star, const Point& w)
+{
+  return this->M.StaysEnclosed(star, w) && this->Collisions.IsFree(star, w);
 }
 
 bool Decimator::IsWithinErrorBound(const Star& star, const Point& w) const

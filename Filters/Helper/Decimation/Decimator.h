@@ -98,7 +98,8 @@ private:
   void SwapMoves();
   void RecordMovesBack();
   bool IsWithinErrorBound(const Star& star, const Point& w) const;
-  bool IsValid(const Star& star, const Point& w) const;
+  bool KeepsTopology(HalfEdge edge) const;
+  bool IsValid(const Star& star, const Point& w);
   std::vector<Point> FindOutward(HalfEdge edge, const Star& star, const LocalError& error);
   void Try(HalfEdge edge);
   double CostOf(const Star& star, const LocalError& error, const Point& w) const;

@@ -109,11 +109,7 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
     const auto [a, b, c] = surface.Triangles[i];
     return std::array<Point, 3>{ surface.Points[a], surface.Points[b], surface.Points[c] };
   };
-  const auto distanceOf = [&](std::size_t i, double enough)
-  {
-    constexpr int anyNumber = std::numeric_limits<int>::max();
-    return distance.Compute(cornersOf(i), anyNumber, enough).Upper;
-  };
+  constexpr int anyNumber = std::numeric_limits<int>::max();
   // A sample finds a face that is about as far as any: then it takes few queries to show that the
   // others are not farther.
   constexpr std::size_t sampled = 16;
@@ -128,10 +124,12 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
       farthest = i;
     }
   }
-  double largest = distanceOf(farthest, 0.0);
+  FaceDistance<3>::Bound last = distance.Compute(cornersOf(farthest), anyNumber);
+  double largest = last.Upper;
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    largest = std::max(largest, distanceOf(i, largest));
+    last = distance.Compute(cornersOf(i), anyNumber, largest, &last.Nearby); // often its neighbor
+    largest = std::max(largest, last.Upper);
   }
   return largest;
 }

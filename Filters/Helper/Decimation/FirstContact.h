@@ -30,6 +30,11 @@ class SweptFace
 public:
   SweptFace(const Point& a, const Point& b, const Point& from, const Point& to, double margin);
 
+  const Box& GetBounds() const
+  {
+    return this->Bounds;
+  }
+
   bool MayMeet(const Box& box) const;
   bool MayMeet(const std::array<Point, 3>& triangle) const;
 

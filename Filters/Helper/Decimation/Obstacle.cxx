@@ -19,7 +19,7 @@ constexpr double RelativeMargin = 2e-9;
 } // namespace
 
 Obstacle::Obstacle(const FacetTree<3>& tree)
-  : Tree(tree)
+  : Triangles(tree)
   , Margin(RelativeMargin * Diagonal(tree.GetItems().GetMesh().Points))
 {
   this->AssignVerticesAndEdges();
@@ -27,7 +27,7 @@ Obstacle::Obstacle(const FacetTree<3>& tree)
 
 void Obstacle::AssignVerticesAndEdges()
 {
-  const ResolvedMesh& mesh = this->Tree.GetItems().GetMesh();
+  const ResolvedMesh& mesh = this->Triangles.GetMesh();
   const std::vector<Triangle>& triangles = mesh.Facets;
   this->Vertices.assign(triangles.size(), 0);
   this->Edges.assign(triangles.size(), 0);
@@ -68,28 +68,23 @@ void Obstacle::AssignVerticesAndEdges()
 }
 
 std::optional<FirstContact> Obstacle::FindContact(
-  const Fan& fan, const Point& from, const Point& to) const
+  const Star& star, const Point& from, const Point& to)
 {
-  ContactSearch search(fan, from, to, this->Margin);
-  this->Tree.ForEachOverlap(search.GetPath(),
-    [&](int t)
+  this->MoveTo(star, { from, to });
+  ContactSearch search(star.Link, from, to, this->Margin);
+  this->Triangles.AnyOverlap(search.GetPath(),
+    [&](const Box&, const std::array<Point, 3>& corners)
     {
-      const auto [p, q, r] = this->Tree.GetItems().CornersOf(t);
-      search.AddTriangle(p, q, r);
+      search.AddTriangle(corners[0], corners[1], corners[2]);
+      return false; // all of them
     });
   for (std::size_t face = 0; face < search.GetNumberOfFaces(); ++face)
   {
     SweptFace swept = search.Sweep(face);
-    this->Tree.ForEachFromTop(
-      swept.GetStartNormal(), [&swept](const Box& box) { return swept.MayMeet(box); },
-      [&](int t)
+    this->Triangles.ForEachSwept(swept,
+      [&](int t, const std::array<Point, 3>& corners)
       {
         const double time = search.GetTime();
-        const auto corners = this->Tree.GetItems().CornersOf(t);
-        if (!swept.MayMeet(corners))
-        {
-          return;
-        }
         for (int k = 0; k < 3; ++k)
         {
           if (this->Vertices[t] >> k & 1)
@@ -116,24 +111,46 @@ std::optional<FirstContact> Obstacle::FindContact(
  * closure of its triangles' interiors, so a triangle that neither pierces a tetrahedron nor
  * overlaps a face of one in an area loses no point.
  */
-bool Obstacle::AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, const Point& w) const
+bool Obstacle::StaysEnclosed(const Star& star, const Point& w)
 {
-  bool allowed = true;
-  for (const auto& [a, b, c] : faces)
+  struct Removed
   {
-    // w is behind the face, so that this order is positive.
-    const Corners4 tetrahedron = { ToInexact(a), ToInexact(c), ToInexact(b), ToInexact(w) };
-    this->Tree.ForEachOverlap(BoxAround({ a, b, c, w }),
-      [&](int t)
-      {
-        if (allowed)
-        {
-          const Corners3 corners = ToInexact(this->Tree.GetItems().CornersOf(t));
-          allowed = !Piercer(corners).FindContact(tetrahedron).Exists();
-        }
-      });
+    Box Bounds;
+    Corners4 Corners;
+  };
+  std::vector<Removed> removed;
+  removed.reserve(star.Corners.size());
+  Box region;
+  for (const auto& face : star.Corners)
+  {
+    const auto [a, b, c] = ToInexact(face);
+    const Corners4 corners = { a, c, b, ToInexact(w) };
+    if (CGAL::orientation(a, b, c, corners[3]) == CGAL::NEGATIVE)
+    {
+      removed.push_back({ BoxAround({ face[0], face[1], face[2], w }), corners });
+      region.Add(removed.back().Bounds);
+    }
   }
-  return allowed;
+  this->MoveTo(star, { w });
+  return !this->Triangles.AnyOverlap(region,
+    [&removed](const Box& bounds, const std::array<Point, 3>& corners)
+    {
+      const Piercer triangle(ToInexact(corners));
+      return std::any_of(removed.begin(), removed.end(),
+        [&](const Removed& other)
+        { return other.Bounds.Overlaps(bounds) && triangle.FindContact(other.Corners).Exists(); });
+    });
+}
+
+/** Prepares for searches about a star and further points. */
+void Obstacle::MoveTo(const Star& star, std::initializer_list<Point> points)
+{
+  Box region = BoxAround(points);
+  for (const auto& corners : star.Corners)
+  {
+    region.Add(BoxAround(corners));
+  }
+  this->Triangles.MoveTo(region);
 }
 
 } // namespace carving::helper

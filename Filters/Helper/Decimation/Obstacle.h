@@ -6,9 +6,10 @@
 #ifndef carving_Obstacle_h
 #define carving_Obstacle_h
 
-#include "Core/Mesh/FacetTree.h"
-#include "Helper/Decimation/FirstContact.h"
+#include "Helper/Decimation/ObstacleSearch.h"
+#include "Helper/Decimation/SurfaceMesh.h"
 
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -21,20 +22,24 @@ public:
   /** The tree of M must outlive this object. */
   explicit Obstacle(const FacetTree<3>& tree);
 
-  /** The first contact of a fan while its vertex w moves; in floating point. */
-  std::optional<FirstContact> FindContact(const Fan& fan, const Point& from, const Point& to) const;
+  /**
+   * The first contact of the faces around w with the boundary of a star while w moves; in floating
+   * point.
+   */
+  std::optional<FirstContact> FindContact(const Star& star, const Point& from, const Point& to);
 
   /**
-   * Whether M stays enclosed by a surface when the tetrahedra between some of its faces and w,
-   * which lies behind them, leave the solid. Exact. Says no in some cases in which M only touches
-   * the tetrahedra.
+   * Whether M stays enclosed by a surface when faces around w replace those of a star: the
+   * tetrahedra between w and the faces that w is behind leave the solid. Exact. Says no in some
+   * cases in which M only touches the tetrahedra.
    */
-  bool AllowsRemoval(const std::vector<std::array<Point, 3>>& faces, const Point& w) const;
+  bool StaysEnclosed(const Star& star, const Point& w);
 
 private:
   void AssignVerticesAndEdges();
+  void MoveTo(const Star& star, std::initializer_list<Point> points);
 
-  const FacetTree<3>& Tree;
+  ObstacleSearch Triangles;
   /**
    * Bit k: the search for contacts takes corner k from this triangle. So for edges, from corner k
    * on.

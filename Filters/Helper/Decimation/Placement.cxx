@@ -83,7 +83,7 @@ bool IsOutside(const Star& star, const Point& w)
     });
 }
 
-Placement::Placement(const std::vector<Point>& points, const Obstacle& obstacle)
+Placement::Placement(const std::vector<Point>& points, Obstacle& obstacle)
   : M(obstacle)
   , Diagonal(carving::Diagonal(points))
   , Slack(LeastSlack * this->Diagonal)
@@ -194,7 +194,7 @@ Point Placement::SlideInward(
     {
       return *least; // contacts only add constraints
     }
-    const std::optional<FirstContact> contact = this->M.FindContact(star.Link, w, *least);
+    const std::optional<FirstContact> contact = this->M.FindContact(star, w, *least);
     if (!contact)
     {
       return *least;

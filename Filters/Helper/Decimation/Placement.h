@@ -36,7 +36,7 @@ class Placement
 {
 public:
   /** Positions stay near the convex hull of the points. The obstacle must outlive this object. */
-  Placement(const std::vector<Point>& points, const Obstacle& obstacle);
+  Placement(const std::vector<Point>& points, Obstacle& obstacle);
 
   /**
    * Lets positions be farther from the obstacle. Returns false if they may be as far as is
@@ -65,7 +65,7 @@ public:
 private:
   std::optional<Point> Minimize(const LocalError& error);
 
-  const Obstacle& M;
+  Obstacle& M;
   double Diagonal;
   double Slack;                   ///< between M and the bounds
   std::vector<HalfSpace> Bounds;  ///< a polytope around M

@@ -70,6 +70,24 @@ CGAL::Orientation Piercer::SideOf(const Inexact::Point_3& x) const
     : SideOfPlane(this->Corners[0], this->Corners[1], this->Corners[2], x);
 }
 
+bool Piercer::IsBeside(const Corners3& other) const
+{
+  CGAL::Orientation side = CGAL::COPLANAR;
+  for (const auto& x : other)
+  {
+    if (std::find(this->Corners.begin(), this->Corners.end(), x) == this->Corners.end())
+    {
+      const CGAL::Orientation next = this->SideOf(x);
+      if (next == CGAL::COPLANAR || next == -side)
+      {
+        return false;
+      }
+      side = next;
+    }
+  }
+  return side != CGAL::COPLANAR;
+}
+
 /**
  * Whether the triangle's bounding box meets that of the tetrahedron in more than their boundaries.
  */

@@ -96,6 +96,12 @@ public:
   /** The side of the triangle's plane on which a point lies. */
   CGAL::Orientation SideOf(const Inexact::Point_3& x) const;
 
+  /**
+   * Whether another triangle lies on one side of this one's plane, common corners apart. Then the
+   * triangles have nothing else in common.
+   */
+  bool IsBeside(const Corners3& other) const;
+
 private:
   bool MeetsBox(const Corners4& tetrahedron) const;
   /**

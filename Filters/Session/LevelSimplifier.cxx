@@ -181,12 +181,7 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
 {
   if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
   {
-    // Only from the finest one on: a coarser level may not come from a later step.
-    const double diagonal = carving::Diagonal(this->Mesh.Points);
-    const auto firstToTry = std::find_if(trial.Targets.begin(), trial.Targets.end(),
-      [&](const TrialTarget& target)
-      { return !IsLastStepGoodEnough(this->Trials, trial.LastStep, target.Value, diagonal); });
-    trial.Targets.erase(trial.Targets.begin(), firstToTry);
+    DropTargetsOfLastStep(this->Trials, carving::Diagonal(this->Mesh.Points), trial);
   }
   const auto bestError = [&](double value)
   {

@@ -33,6 +33,40 @@ bool IsBetter(LevelTarget type, const BestTrial& a, const BestTrial& b)
     : CountVertices(*a.Trial, *a.Surface) < CountVertices(*b.Trial, *b.Surface);
 }
 
+/**
+ * Whether neither the topology of the last step nor its pits keep a level with `value` vertices or
+ * triangles far from M.
+ */
+bool IsLastStepGoodEnough(
+  const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal)
+{
+  constexpr double room = 20.0; // vertices per vertex that the topology needs
+  // The distance of a smooth surface is about inversely proportional to its number of vertices.
+  // Their product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the
+  // vertices.
+  constexpr double smooth = 6.0;
+  constexpr double mostGrowth = 1.25;
+  constexpr double many = 0.25; // of the vertices: the distance depends on details of M
+  for (const LevelTrial& trial : trials)
+  {
+    double finer = smooth * diagonal; // the product for the next finer target
+    for (std::size_t i = 0; trial.Step == lastStep && i < trial.Result.Surfaces.size(); ++i)
+    {
+      const DecimatedSurface& surface = trial.Result.Surfaces[i];
+      const double vertices = CountVertices(trial, surface);
+      const double product = surface.Error * vertices;
+      if (trial.Targets[i].Value == value)
+      {
+        return surface.Reached && vertices >= room * trial.LeastVertices &&
+          (vertices >= many * trial.Result.Chain.Vertices ||
+            product <= (i > 0 ? mostGrowth : 1.0) * finer);
+      }
+      finer = product;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 std::vector<BestTrial> RankTrials(
@@ -70,32 +104,11 @@ BestTrial FindBestTrial(
   return found.empty() ? BestTrial() : found.front();
 }
 
-bool IsLastStepGoodEnough(
-  const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal)
+void DropTargetsOfLastStep(
+  const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial)
 {
-  constexpr double room = 20.0; // vertices per vertex that the topology needs
-  // The distance of a smooth surface is about inversely proportional to its number of vertices.
-  // Their product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the
-  // vertices.
-  constexpr double smooth = 6.0;
-  constexpr double mostGrowth = 1.25;
-  constexpr double many = 0.25; // of the vertices: the distance depends on details of M
-  for (const LevelTrial& trial : trials)
-  {
-    double finer = smooth * diagonal; // the product for the next finer target
-    for (std::size_t i = 0; trial.Step == lastStep && i < trial.Result.Surfaces.size(); ++i)
-    {
-      const DecimatedSurface& surface = trial.Result.Surfaces[i];
-      const double vertices = CountVertices(trial, surface);
-      const double product = surface.Error * vertices;
-      if (trial.Targets[i].Value == value)
-      {
-        return surface.Reached && vertices >= room * trial.LeastVertices &&
-          (vertices >= many * trial.Result.Chain.Vertices ||
-            product <= (i > 0 ? mostGrowth : 1.0) * finer);
-      }
-      finer = product;
-    }
-  }
-  return false;
+  const auto firstToTry = std::find_if(trial.Targets.begin(), trial.Targets.end(),
+    [&](const TrialTarget& target)
+    { return !IsLastStepGoodEnough(trials, trial.LastStep, target.Value, diagonal); });
+  trial.Targets.erase(trial.Targets.begin(), firstToTry);
 }

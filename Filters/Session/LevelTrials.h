@@ -54,10 +54,12 @@ BestTrial FindBestTrial(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
 
 /**
- * Whether neither the topology of the last step nor its pits keep a level with `value` vertices or
- * triangles far from M: an earlier step would hardly be closer. `diagonal` is that of M.
+ * Drops the numbers of a trial, from the finest one on, for which an earlier step would hardly be
+ * closer than the last one is: neither the topology of the last step nor its pits keep its level far
+ * from M. `diagonal` is that of M. Numbers below one that is tried remain: if the trial's step is
+ * best for a level, no coarser level may come from a later step.
  */
-bool IsLastStepGoodEnough(
-  const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal);
+void DropTargetsOfLastStep(
+  const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);
 
 #endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Which steps are decimated for which levels, and which results are taken.
+ */
+#include "Session/TrialPlans.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using carving::LevelTarget;
+using carving::SimplifiedTarget;
+
+constexpr int LastStep = 100;
+constexpr int VerticesOfM = 10000;
+constexpr double Diagonal = 1.0;
+
+/** A number of vertices that a decimated step has reached, and its distance from M. */
+using Reached = std::pair<double, double>;
+
+LevelTrial MakeTrial(int step, const std::vector<Reached>& surfaces, double leastVertices = 4.0)
+{
+  LevelTrial trial;
+  trial.LastStep = LastStep;
+  trial.Step = step;
+  trial.LeastVertices = leastVertices;
+  trial.Result.Chain.Vertices = VerticesOfM;
+  for (const auto& [vertices, error] : surfaces)
+  {
+    trial.Targets.push_back({ vertices });
+    trial.Result.Surfaces.push_back({ VerticesOfM - static_cast<int>(vertices), true, error });
+  }
+  return trial;
+}
+
+/** The numbers that an earlier step is tried for after the last one. */
+std::vector<double> FindTried(const LevelTrial& last)
+{
+  LevelTrial earlier;
+  earlier.LastStep = LastStep;
+  earlier.Targets = last.Targets;
+  DropTargetsOfLastStep({ last }, Diagonal, earlier);
+  std::vector<double> numbers;
+  for (const TrialTarget& target : earlier.Targets)
+  {
+    numbers.push_back(target.Value);
+  }
+  return numbers;
+}
+
+using Counts = std::vector<double>;
+
+} // namespace
+
+// Earlier steps are not tried where the last one is about as close as n vertices around a smooth
+// surface are: within a few diagonals divided by n.
+TEST(LevelTrials, SpareSmoothSurfaces)
+{
+  EXPECT_EQ(FindTried(MakeTrial(LastStep, { { 2000, 0.002 }, { 500, 0.008 } })), Counts());
+}
+
+// Earlier steps are tried where the last one needs most of the vertices for its topology.
+TEST(LevelTrials, TryEarlierStepsNearTheLeastNumber)
+{
+  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.002 }, { 500, 0.008 } }, 50.0);
+  EXPECT_EQ(FindTried(last), Counts({ 500 }));
+}
+
+// Earlier steps are tried where the distance grows faster than the number of vertices falls.
+TEST(LevelTrials, TryEarlierStepsWherePitsNeedTheVertices)
+{
+  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.002 }, { 1000, 0.008 } });
+  EXPECT_EQ(FindTried(last), Counts({ 1000 }));
+}
+
+// An earlier step is tried for all numbers below one that it is tried for. If it is best there, the
+// coarser levels may not come from a later step.
+TEST(LevelTrials, TryAllCoarserNumbersToo)
+{
+  const LevelTrial last =
+    MakeTrial(LastStep, { { 2000, 0.002 }, { 1000, 0.02 }, { 500, 0.02 }, { 200, 0.05 } });
+  EXPECT_EQ(FindTried(last), Counts({ 1000, 500, 200 }));
+}
+
+// Steps between trials are tried for all targets, the coarser ones included.
+TEST(LevelTrials, TryStepsBetweenForAllNumbers)
+{
+  carving::Profile profile;
+  for (int step = 0; step <= LastStep; ++step) // a tunnel more at each step
+  {
+    profile.Vertices.push_back(VerticesOfM - LastStep + step);
+    profile.Components.push_back(1);
+    profile.Tunnels.push_back(step);
+    profile.Voids.push_back(0);
+  }
+  std::vector<SimplifiedTarget> targets;
+  for (const double value : { 200.0, 500.0, 2000.0 })
+  {
+    targets.push_back({ LevelTarget::Vertices, LastStep, value, {} });
+  }
+  const std::vector<Reached> far = { { 2000, 0.3 }, { 500, 0.3 }, { 200, 0.3 } },
+                             close = { { 2000, 0.002 }, { 500, 0.3 }, { 200, 0.3 } };
+  const std::vector<LevelTrial> added =
+    PlanTrialsBetween(profile, targets, { MakeTrial(0, far), MakeTrial(LastStep, close) });
+  ASSERT_FALSE(added.empty());
+  for (const LevelTrial& trial : added)
+  {
+    EXPECT_EQ(trial.Targets.size(), targets.size()) << trial.Step;
+  }
+}
+
+// Of the trials that reach a number, the closest to M comes first. A level with fewer vertices
+// stands in for one that is farther from M.
+TEST(LevelTrials, AreRankedByDistance)
+{
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.03 }, { 200, 0.05 } }),
+    MakeTrial(50, { { 500, 0.02 }, { 200, 0.01 } }) };
+  const SimplifiedTarget target = { LevelTarget::Vertices, LastStep, 500.0, {} };
+  const std::vector<BestTrial> ranked = RankTrials(trials, target, LastStep);
+  ASSERT_EQ(ranked.size(), 2u);
+  EXPECT_EQ(ranked[0].Trial, &trials[1]);
+  EXPECT_EQ(ranked[0].Surface->Error, 0.01);
+  EXPECT_EQ(ranked[1].Surface->Error, 0.03);
+}
+
+// A level never comes from a later step than the next finer one.
+TEST(LevelTrials, ComeFromStepsUpToALimit)
+{
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.01 } }),
+    MakeTrial(50, { { 500, 0.02 } }) };
+  const SimplifiedTarget target = { LevelTarget::Vertices, LastStep, 500.0, {} };
+  EXPECT_EQ(FindBestTrial(trials, target, 99).Trial, &trials[1]);
+}

@@ -87,15 +87,6 @@ LevelSimplifier::LevelSimplifier(
 {
 }
 
-/** Drops the numbers that the topology, and parts that touch each other, leave no hope for. */
-void LevelSimplifier::DropNumbersOutOfReach(LevelTrial& trial)
-{
-  trial.Targets.erase(std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-                        [least = trial.LeastVertices](const TrialTarget& target)
-                        { return std::max(target.Value, 4.0) < least; }),
-    trial.Targets.end());
-}
-
 /** Starts to decimate the step of a trial, unless no target is in reach. */
 std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial& trial) const
 {
@@ -112,7 +103,8 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
     static_cast<double>(CountCopies(cut.Points)));
   if (type != LevelTarget::ErrorBound)
   {
-    DropNumbersOutOfReach(trial);
+    DropTargetsIf(
+      trial, [least = trial.LeastVertices](double value) { return std::max(value, 4.0) < least; });
   }
   if (trial.Targets.empty())
   {
@@ -197,10 +189,7 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
     worst = std::max(worst, bestError(target.Value));
   }
   const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, Hope * worst) : 0.0;
-  trial.Targets.erase(
-    std::remove_if(trial.Targets.begin(), trial.Targets.end(),
-      [&](const TrialTarget& target) { return least > Hope * bestError(target.Value); }),
-    trial.Targets.end());
+  DropTargetsIf(trial, [&](double value) { return least > Hope * bestError(value); });
 }
 
 /** Runs trials at the same time. Returns false if the filter is to stop. */

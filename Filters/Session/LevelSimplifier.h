@@ -46,7 +46,6 @@ private:
     carving::LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last);
   std::optional<HelperProcess> Start(carving::LevelTarget type, LevelTrial& trial) const;
   bool Finish(HelperProcess& process, double begin, double end, LevelTrial& trial);
-  static void DropNumbersOutOfReach(LevelTrial& trial);
   void DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const;
   double FindLeastError(int step, double enough) const;
   void Choose(const TargetList& targets);

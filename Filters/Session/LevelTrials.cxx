@@ -107,8 +107,11 @@ BestTrial FindBestTrial(
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial)
 {
-  const auto firstToTry = std::find_if(trial.Targets.begin(), trial.Targets.end(),
-    [&](const TrialTarget& target)
-    { return !IsLastStepGoodEnough(trials, trial.LastStep, target.Value, diagonal); });
-  trial.Targets.erase(trial.Targets.begin(), firstToTry);
+  bool drop = true;
+  DropTargetsIf(trial,
+    [&](double value)
+    {
+      drop = drop && IsLastStepGoodEnough(trials, trial.LastStep, value, diagonal);
+      return drop;
+    });
 }

@@ -9,6 +9,7 @@
 #include "Core/Measure/SimplifiedStream.h"
 #include "Core/Protocol/Protocol.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct LevelTrial
   int LastStep; ///< of the targets
   int Step;
   std::vector<TrialTarget> Targets; ///< from fine to coarse
+  std::vector<double> Dropped;      ///< targets for which the step is not worth its time
   carving::Decimation Result;
   std::string Error;       ///< empty if the step could be decimated
   std::vector<int> Points; ///< of the step's surface, in the stream
@@ -34,6 +36,19 @@ struct LevelTrial
   int SurfaceGenus = 0;
   double LeastVertices = 0.0; ///< that the topology of the step's surface needs, in practice
 };
+
+/** Drops targets of a trial before the trial runs. */
+template <class Predicate>
+void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
+{
+  const auto kept = std::stable_partition(trial.Targets.begin(), trial.Targets.end(),
+    [&predicate](const TrialTarget& target) { return !predicate(target.Value); });
+  for (auto dropped = kept; dropped != trial.Targets.end(); ++dropped)
+  {
+    trial.Dropped.push_back(dropped->Value);
+  }
+  trial.Targets.erase(kept, trial.Targets.end());
+}
 
 struct BestTrial
 {

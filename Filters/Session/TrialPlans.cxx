@@ -124,14 +124,24 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
   return steps;
 }
 
-/** The steps halfway to the next ones that have been tried, unless the topology is no other. */
-std::vector<int> FindStepsBetween(
-  const Profile& profile, const std::vector<LevelTrial>& trials, const LevelTrial& best)
+bool IsPlannedFor(const LevelTrial& trial, double value)
+{
+  return std::find(trial.Dropped.begin(), trial.Dropped.end(), value) != trial.Dropped.end() ||
+    std::any_of(trial.Targets.begin(), trial.Targets.end(),
+      [value](const TrialTarget& target) { return target.Value == value; });
+}
+
+/**
+ * The steps halfway to the next ones that have been tried for a target, unless the topology is no
+ * other.
+ */
+std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<LevelTrial>& trials,
+  const LevelTrial& best, double value)
 {
   int coarser = best.Step, finer = best.Step;
   for (const LevelTrial& trial : trials)
   {
-    const int step = trial.Step;
+    const int step = IsPlannedFor(trial, value) ? trial.Step : best.Step;
     if (step < best.Step && (coarser == best.Step || step > coarser))
     {
       coarser = step;
@@ -205,8 +215,8 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     const BestTrial best = FindBestTrial(trials, *target, target->LastStep);
-    for (const int step :
-      best.Trial ? FindStepsBetween(profile, trials, *best.Trial) : std::vector<int>())
+    for (const int step : best.Trial ? FindStepsBetween(profile, trials, *best.Trial, target->Value)
+                                     : std::vector<int>())
     {
       // A coarser level may not come from a later step, so the coarser targets are tried as well.
       AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));

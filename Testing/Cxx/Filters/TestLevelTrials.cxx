@@ -53,6 +53,19 @@ std::vector<double> FindTried(const LevelTrial& last)
   return numbers;
 }
 
+carving::Profile TunnelAtEachStep()
+{
+  carving::Profile profile;
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices.push_back(VerticesOfM - LastStep + step);
+    profile.Components.push_back(1);
+    profile.Tunnels.push_back(step);
+    profile.Voids.push_back(0);
+  }
+  return profile;
+}
+
 using Counts = std::vector<double>;
 
 } // namespace
@@ -90,14 +103,7 @@ TEST(LevelTrials, TryAllCoarserNumbersToo)
 // Steps between trials are tried for all targets, the coarser ones included.
 TEST(LevelTrials, TryStepsBetweenForAllNumbers)
 {
-  carving::Profile profile;
-  for (int step = 0; step <= LastStep; ++step) // a tunnel more at each step
-  {
-    profile.Vertices.push_back(VerticesOfM - LastStep + step);
-    profile.Components.push_back(1);
-    profile.Tunnels.push_back(step);
-    profile.Voids.push_back(0);
-  }
+  const carving::Profile profile = TunnelAtEachStep();
   std::vector<SimplifiedTarget> targets;
   for (const double value : { 200.0, 500.0, 2000.0 })
   {
@@ -112,6 +118,17 @@ TEST(LevelTrials, TryStepsBetweenForAllNumbers)
   {
     EXPECT_EQ(trial.Targets.size(), targets.size()) << trial.Step;
   }
+}
+
+// Only trials for the same number tell where to try next.
+TEST(LevelTrials, TryStepsBetweenTrialsForTheSameNumber)
+{
+  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} } };
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 200, 0.3 } }),
+    MakeTrial(60, { { 2000, 0.1 } }), MakeTrial(0, { { 200, 0.2 } }) };
+  const std::vector<LevelTrial> added = PlanTrialsBetween(TunnelAtEachStep(), targets, trials);
+  ASSERT_EQ(added.size(), 1u);
+  EXPECT_NEAR(added[0].Step, LastStep / 2, 1);
 }
 
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices

@@ -97,7 +97,7 @@ def place_camera(renderer, bounds, view, up, lines):
     camera.SetViewAngle(20)
     renderer.ResetCameraScreenSpace(bounds)
     camera.Zoom(1.1)  # leaves room for one line
-    share = 1.4 * FONT_SIZE * (lines - 1) / TILE[1]
+    share = 2.0 * FONT_SIZE * (lines - 1) / TILE[1]
     camera.Zoom(1.0 - share)
     camera.SetWindowCenter(0.0, -share)
 

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace
@@ -178,7 +180,7 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
   const auto bestError = [&](double value)
   {
     const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
-    const BestTrial best = FindBestTrial(this->Trials, target, trial.LastStep);
+    const BestTrial best = FindBestTrial(this->Trials, target);
     return !best.Trial || !best.Surface->Reached ? HUGE_VAL
       : target.Type == LevelTarget::ErrorBound   ? value
                                                  : best.Surface->Error;
@@ -280,22 +282,19 @@ void LevelSimplifier::Choose(const TargetList& targets)
   carving::SimplifiedStream& simplified = this->Carved.Simplified;
   simplified.Type = targets.front().Type;
   std::map<const LevelTrial*, int> added;
-  // From fine to coarse. A coarser level never comes from a later step: components only split.
-  int lastStep = this->Carved.Profile.LastStep();
-  for (auto target = targets.rbegin(); target != targets.rend(); ++target)
+  const std::vector<BestTrial> chosen = ChooseTrials(this->Trials, targets);
+  for (std::size_t i = 0; i < targets.size(); ++i)
   {
-    const BestTrial best = FindBestTrial(this->Trials, *target, lastStep);
-    if (best.Trial)
+    const auto& [trial, surface] = chosen[i];
+    if (trial)
     {
-      lastStep = best.Trial->Step;
-      const auto found = added.find(best.Trial);
-      const int index = found != added.end() ? found->second : this->AddStep(*best.Trial);
-      added[best.Trial] = index;
+      const auto found = added.find(trial);
+      const int index = found != added.end() ? found->second : this->AddStep(*trial);
+      added[trial] = index;
       simplified.Levels.push_back(
-        { index, best.Surface->Collapses, best.Surface->Error, target->LastStep, target->Value });
+        { index, surface->Collapses, surface->Error, targets[i].LastStep, targets[i].Value });
     }
   }
-  std::reverse(simplified.Levels.begin(), simplified.Levels.end());
   // For numbers beyond the targets.
   const auto last = std::find_if(this->Trials.begin(), this->Trials.end(),
     [&](const LevelTrial& trial)
@@ -320,17 +319,29 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     return true;
   }
   this->Threads = settings.ThreadsOfLeaf;
-  constexpr int rounds = 6;
-  for (int round = 0; round < rounds; ++round)
+  // Which step is best hardly depends on the steps around it. More trials find better ones.
+  constexpr int anyNumber = std::numeric_limits<int>::max();
+  const auto between = [&](int mostVertices)
+  { return PlanTrialsBetween(profile, targets, this->Trials, mostVertices); };
+  const std::function<std::vector<LevelTrial>()> rounds[] = {
+    [&] { return PlanTrialsOfLastSteps(targets); },
+    [&] { return PlanTrials(profile, targets); },
+    [&] { return between(anyNumber); },
+    [&] { return between(anyNumber); },
+    [&] { return between(anyNumber); },
+    [&] { return between(FewVertices); },
+    [&] { return between(FewVertices); },
+    [&] { return PlanTighterTrials(profile, targets, this->Trials); },
+  };
+  const double share = 1.0 / std::size(rounds);
+  double done = 0.0;
+  for (const auto& plan : rounds)
   {
-    std::vector<LevelTrial> trials = round == 0 ? PlanTrialsOfLastSteps(targets)
-      : round == 1                              ? PlanTrials(profile, targets)
-      : round < rounds - 1                      ? PlanTrialsBetween(profile, targets, this->Trials)
-                                                : PlanTighterTrials(profile, targets, this->Trials);
-    if (!this->RunTrials(targets, std::move(trials), round * 1.0 / rounds, (round + 1.0) / rounds))
+    if (!this->RunTrials(targets, plan(), done, done + share))
     {
       return false;
     }
+    done += share;
   }
   for (const LevelTrial& trial : this->Trials)
   {

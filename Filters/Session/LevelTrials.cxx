@@ -2,6 +2,8 @@
 #include "Session/LevelTrials.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <deque>
 
 namespace
 {
@@ -67,16 +69,27 @@ bool IsLastStepGoodEnough(
   return false;
 }
 
+/** How bad a surface is for a target, as a logarithm. */
+double CostOf(LevelTarget type, const BestTrial& choice)
+{
+  constexpr double notReached = 1e3;
+  const DecimatedSurface& surface = *choice.Surface;
+  const double vertices = CountVertices(*choice.Trial, surface);
+  return !surface.Reached             ? notReached + std::log(vertices)
+    : type == LevelTarget::ErrorBound ? std::log(vertices)
+                                      : std::log(std::max(surface.Error, DBL_MIN));
+}
+
 } // namespace
 
 std::vector<BestTrial> RankTrials(
-  const std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int lastStep)
+  const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
 {
   std::vector<BestTrial> found;
   for (const LevelTrial& trial : trials)
   {
     const std::vector<DecimatedSurface>& surfaces = trial.Result.Surfaces;
-    const std::size_t end = trial.Step <= std::min(lastStep, target.LastStep) ? surfaces.size() : 0;
+    const std::size_t end = trial.Step <= target.LastStep ? surfaces.size() : 0;
     BestTrial best;
     for (std::size_t i = 0; i < end; ++i)
     {
@@ -97,11 +110,55 @@ std::vector<BestTrial> RankTrials(
   return found;
 }
 
-BestTrial FindBestTrial(
-  const std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int lastStep)
+BestTrial FindBestTrial(const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
 {
-  const std::vector<BestTrial> found = RankTrials(trials, target, lastStep);
+  const std::vector<BestTrial> found = RankTrials(trials, target);
   return found.empty() ? BestTrial() : found.front();
+}
+
+std::vector<BestTrial> ChooseTrials(
+  const std::vector<LevelTrial>& trials, const std::vector<SimplifiedTarget>& targets)
+{
+  constexpr double noLevel = 1e6;
+  struct Choice
+  {
+    BestTrial Best;
+    double Cost;           ///< of the best choices up to this one
+    const Choice* Coarser; ///< the one before; null if this is the first
+    std::size_t Target;
+  };
+  std::deque<Choice> choices; // from coarse to fine
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const std::size_t before = choices.size();
+    for (const BestTrial& next : RankTrials(trials, targets[i]))
+    {
+      Choice choice = { next, noLevel * i, nullptr, i };
+      for (std::size_t k = 0; k < before; ++k)
+      {
+        const Choice& coarser = choices[k];
+        const double cost = coarser.Cost + noLevel * (i - coarser.Target - 1);
+        if (coarser.Best.Trial->Step <= next.Trial->Step && cost < choice.Cost)
+        {
+          choice.Cost = cost;
+          choice.Coarser = &coarser;
+        }
+      }
+      choice.Cost += CostOf(targets[i].Type, next);
+      choices.push_back(choice);
+    }
+  }
+  const auto total = [&](const Choice& last)
+  { return last.Cost + noLevel * (targets.size() - 1 - last.Target); };
+  const auto best = std::min_element(choices.begin(), choices.end(),
+    [&](const Choice& a, const Choice& b) { return total(a) < total(b); });
+  std::vector<BestTrial> chosen(targets.size());
+  for (const Choice* choice = best != choices.end() ? &*best : nullptr; choice;
+       choice = choice->Coarser)
+  {
+    chosen[choice->Target] = choice->Best;
+  }
+  return chosen;
 }
 
 void DropTargetsOfLastStep(

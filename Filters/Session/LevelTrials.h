@@ -57,16 +57,25 @@ struct BestTrial
 };
 
 /**
- * The trials of steps up to `lastStep` that have a surface for a target, from good to bad, each with
- * its best surface for this or a smaller number. Those that reach a number come first, the closest
- * to M before all; within an error bound, those with the fewest vertices.
+ * The trials that have a surface for a target, from good to bad, each with its best surface for this
+ * or a smaller number. Those that reach a number come first, the closest to M before all; within an
+ * error bound, those with the fewest vertices.
  */
 std::vector<BestTrial> RankTrials(
-  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
+  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);
 
 /** The first of the ranked trials. */
 BestTrial FindBestTrial(
-  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int lastStep);
+  const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);
+
+/**
+ * The trials that levels are taken from, one per target. The targets are of one type and sorted from
+ * coarse to fine. No level comes from a later step than a finer one, so that components only split.
+ * That can rule out the best trials for some targets: the sum of the logarithms of the distances is
+ * least, or of the numbers of vertices within error bounds.
+ */
+std::vector<BestTrial> ChooseTrials(
+  const std::vector<LevelTrial>& trials, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
  * Drops the numbers of a trial, from the finest one on, for which an earlier step would hardly be

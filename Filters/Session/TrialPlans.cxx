@@ -209,17 +209,21 @@ std::vector<LevelTrial> PlanTrials(
 }
 
 std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
-  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
+  int mostVertices)
 {
   std::vector<LevelTrial> added;
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
-    const BestTrial best = FindBestTrial(trials, *target, target->LastStep);
+    const BestTrial best = FindBestTrial(trials, *target);
     for (const int step : best.Trial ? FindStepsBetween(profile, trials, *best.Trial, target->Value)
                                      : std::vector<int>())
     {
-      // A coarser level may not come from a later step, so the coarser targets are tried as well.
-      AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
+      if (profile.Vertices[step] <= mostVertices)
+      {
+        // A coarser level may not come from a later step, so the coarser targets are tried as well.
+        AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
+      }
     }
   }
   return added;
@@ -228,24 +232,26 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
 std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
-  constexpr double share = 0.85; // of the distance; for less gain, the mean distance grows too much
-  constexpr std::size_t candidates = 3;
+  constexpr double share = 0.91; // of the distance; for less gain, the mean distance grows too much
+  constexpr double similar = 0.85;
   constexpr int manyVertices = 20000;
   std::vector<LevelTrial> added;
   for (const SimplifiedTarget& target : targets)
   {
-    const std::vector<BestTrial> closest = RankTrials(trials, target, target.LastStep);
+    const std::vector<BestTrial> closest = RankTrials(trials, target);
     if (target.Type == LevelTarget::ErrorBound || closest.empty() ||
       !closest.front().Surface->Reached)
     {
       continue;
     }
     const double bound = share * closest.front().Surface->Error;
-    for (std::size_t i = 0; i < std::min(candidates, closest.size()); ++i)
+    for (std::size_t i = 0; i < closest.size(); ++i)
     {
       const auto& [trial, surface] = closest[i];
-      if (surface->Reached && share * surface->Error <= closest.front().Surface->Error &&
-        profile.Vertices[trial->Step] <= manyVertices)
+      const int vertices = profile.Vertices[trial->Step];
+      const std::size_t candidates = vertices <= FewVertices ? 5 : vertices <= manyVertices ? 3 : 0;
+      if (i < candidates && surface->Reached &&
+        similar * surface->Error <= closest.front().Surface->Error)
       {
         AddTarget(added, target, trial->Step, bound);
       }

@@ -15,6 +15,9 @@
 
 #include <vector>
 
+/** Steps with at most this many vertices are decimated in about a second. */
+constexpr int FewVertices = 5000;
+
 /** The last step for each target. */
 std::vector<LevelTrial> PlanTrialsOfLastSteps(
   const std::vector<carving::SimplifiedTarget>& targets);
@@ -30,11 +33,12 @@ std::vector<LevelTrial> PlanTrials(
 
 /**
  * Steps halfway between the best trial for each target and the next ones that have been tried
- * before and after, where the topology differs. They are tried for all coarser targets, and for all
- * finer numbers, too.
+ * before and after, where the topology differs, if they have at most so many vertices. They are
+ * tried for all coarser targets, and for all finer numbers, too.
  */
 std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
+  int mostVertices);
 
 /**
  * The steps of the best trials for numbers, which are tried again: within bounds that are raised to

@@ -11,29 +11,36 @@ namespace carving
 namespace
 {
 
-double DistanceToSegment(const Point& a, const Point& b, const Point& p)
+double SquaredDistanceToSegment(const Point& a, const Point& b, const Point& p)
 {
   const Point along = b - a, toPoint = p - a;
   const double t = std::clamp(Dot(toPoint, along) / Dot(along, along), 0.0, 1.0);
-  return Length(toPoint - t * along);
+  const Point offset = toPoint - t * along;
+  return Dot(offset, offset);
 }
 
 } // namespace
 
 double DistanceTo(const FacetCorners<2>& edge, const Point& p)
 {
-  return DistanceToSegment(edge[0], edge[1], p);
+  return std::sqrt(SquaredDistanceToSegment(edge[0], edge[1], p));
 }
 
 double DistanceTo(const FacetCorners<3>& triangle, const Point& p)
 {
-  const auto& [a, b, c] = triangle;
-  const Point normal = Cross(b - a, c - a);
-  const bool above = Dot(Cross(b - a, p - a), normal) >= 0.0 &&
-    Dot(Cross(c - b, p - b), normal) >= 0.0 && Dot(Cross(a - c, p - c), normal) >= 0.0;
-  return above ? std::abs(Dot(normal, p - a)) / Length(normal)
-               : std::min({ DistanceToSegment(a, b, p), DistanceToSegment(b, c, p),
-                   DistanceToSegment(c, a, p) });
+  const Point normal = Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  double squared = Box::Infinity;
+  for (int i = 0; i < 3; ++i)
+  {
+    // Of a point beyond some sides, the closest point of the triangle is on one of these.
+    const Point &a = triangle[i], &b = triangle[(i + 1) % 3];
+    if (!(Dot(Cross(b - a, p - a), normal) >= 0.0))
+    {
+      squared = std::min(squared, SquaredDistanceToSegment(a, b, p));
+    }
+  }
+  return squared < Box::Infinity ? std::sqrt(squared)
+                                 : std::abs(Dot(normal, p - triangle[0])) / Length(normal);
 }
 
 template <int D>
@@ -45,15 +52,14 @@ FacetTree<D>::FacetTree(const ResolvedInput<D>& mesh)
 template <int D>
 typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
 {
-  Closest closest = { {}, Box::Infinity, -1 };
+  Closest closest = { Box::Infinity, -1 };
   this->ForEachNear(p, Box::Infinity,
     [&](int facet)
     {
-      const FacetCorners<D> corners = this->GetItems().CornersOf(facet);
-      const double distance = DistanceTo(corners, p);
+      const double distance = DistanceTo(this->GetItems().CornersOf(facet), p);
       if (distance < closest.Distance)
       {
-        closest = { corners, distance, facet };
+        closest = { distance, facet };
       }
       return closest.Distance * closest.Distance;
     });

@@ -78,7 +78,6 @@ public:
 
   struct Closest
   {
-    FacetCorners<D> Facet;
     double Distance;
     int Item; ///< its index; -1 if the area of each facet is zero
   };

@@ -146,8 +146,8 @@ std::vector<double> ListBounds(const DecimationOptions& options, std::size_t tar
   {
     return { HUGE_VAL };
   }
-  constexpr double first = 0.88; // lower ones take more time, and raise the mean distance
-  constexpr int steps = 2;
+  constexpr double first = 0.82; // lower ones take more time, and raise the mean distance
+  constexpr int steps = 3;
   std::vector<double> bounds;
   for (int step = 0; step <= steps; ++step)
   {
@@ -198,7 +198,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
     for (auto bound = bounds.begin(); bound != bounds.end() && !reached && !stopped; ++bound)
     {
       // The distance of a surface is about inversely proportional to its number of vertices.
-      if (bound != bounds.begin() && bound[-1] * count() > bounds.back() * target)
+      constexpr double about = 1.2;
+      if (bound != bounds.begin() && bound[-1] * count() > about * bounds.back() * target)
       {
         break;
       }

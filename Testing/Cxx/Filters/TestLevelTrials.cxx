@@ -111,8 +111,8 @@ TEST(LevelTrials, TryStepsBetweenForAllNumbers)
   }
   const std::vector<Reached> far = { { 2000, 0.3 }, { 500, 0.3 }, { 200, 0.3 } },
                              close = { { 2000, 0.002 }, { 500, 0.3 }, { 200, 0.3 } };
-  const std::vector<LevelTrial> added =
-    PlanTrialsBetween(profile, targets, { MakeTrial(0, far), MakeTrial(LastStep, close) });
+  const std::vector<LevelTrial> added = PlanTrialsBetween(
+    profile, targets, { MakeTrial(0, far), MakeTrial(LastStep, close) }, VerticesOfM);
   ASSERT_FALSE(added.empty());
   for (const LevelTrial& trial : added)
   {
@@ -126,9 +126,12 @@ TEST(LevelTrials, TryStepsBetweenTrialsForTheSameNumber)
   const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} } };
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 200, 0.3 } }),
     MakeTrial(60, { { 2000, 0.1 } }), MakeTrial(0, { { 200, 0.2 } }) };
-  const std::vector<LevelTrial> added = PlanTrialsBetween(TunnelAtEachStep(), targets, trials);
+  const std::vector<LevelTrial> added =
+    PlanTrialsBetween(TunnelAtEachStep(), targets, trials, VerticesOfM);
   ASSERT_EQ(added.size(), 1u);
   EXPECT_NEAR(added[0].Step, LastStep / 2, 1);
+  // Not if the step has too many vertices.
+  EXPECT_TRUE(PlanTrialsBetween(TunnelAtEachStep(), targets, trials, VerticesOfM / 2).empty());
 }
 
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices
@@ -138,18 +141,51 @@ TEST(LevelTrials, AreRankedByDistance)
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.03 }, { 200, 0.05 } }),
     MakeTrial(50, { { 500, 0.02 }, { 200, 0.01 } }) };
   const SimplifiedTarget target = { LevelTarget::Vertices, LastStep, 500.0, {} };
-  const std::vector<BestTrial> ranked = RankTrials(trials, target, LastStep);
+  const std::vector<BestTrial> ranked = RankTrials(trials, target);
   ASSERT_EQ(ranked.size(), 2u);
   EXPECT_EQ(ranked[0].Trial, &trials[1]);
   EXPECT_EQ(ranked[0].Surface->Error, 0.01);
   EXPECT_EQ(ranked[1].Surface->Error, 0.03);
 }
 
-// A level never comes from a later step than the next finer one.
-TEST(LevelTrials, ComeFromStepsUpToALimit)
+// No level comes from a later step than a finer one, even if that is closer to M.
+TEST(LevelTrials, AreChosenFromStepsInOrder)
 {
-  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.01 } }),
-    MakeTrial(50, { { 500, 0.02 } }) };
-  const SimplifiedTarget target = { LevelTarget::Vertices, LastStep, 500.0, {} };
-  EXPECT_EQ(FindBestTrial(trials, target, 99).Trial, &trials[1]);
+  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} },
+    { LevelTarget::Vertices, LastStep, 500.0, {} } };
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.08 }, { 200, 0.09 } }),
+    MakeTrial(50, { { 500, 0.01 }, { 200, 0.1 } }) };
+  const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
+  EXPECT_EQ(chosen[0].Trial, &trials[1]);
+  EXPECT_EQ(chosen[1].Trial, &trials[1]);
+}
+
+// A finer level that is hardly closer does not rule out a coarser one that is much closer.
+TEST(LevelTrials, AreChosenForAllLevelsTogether)
+{
+  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} },
+    { LevelTarget::Vertices, LastStep, 500.0, {} } };
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.011 }, { 200, 0.02 } }),
+    MakeTrial(50, { { 500, 0.01 }, { 200, 0.1 } }) };
+  const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
+  EXPECT_EQ(chosen[0].Trial, &trials[0]);
+  EXPECT_EQ(chosen[1].Trial, &trials[0]);
+}
+
+// There are as many levels as steps in order allow, also if some targets have no trial.
+TEST(LevelTrials, AreChosenForAsManyLevelsAsPossible)
+{
+  std::vector<SimplifiedTarget> targets;
+  for (const double value : { 50.0, 200.0, 500.0, 2000.0 })
+  {
+    targets.push_back({ LevelTarget::Vertices, LastStep, value, {} });
+  }
+  const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 200, 0.01 } }),
+    MakeTrial(60, { { 500, 0.001 } }), MakeTrial(50, { { 2000, 0.0001 } }) };
+  const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
+  EXPECT_EQ(chosen[0].Trial, nullptr);
+  for (int i = 1; i < 4; ++i)
+  {
+    EXPECT_EQ(chosen[i].Trial, &trials[0]) << "a level with fewer vertices stands in";
+  }
 }

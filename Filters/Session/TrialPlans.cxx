@@ -232,7 +232,6 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
 std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
-  constexpr double share = 0.91; // of the distance; for less gain, the mean distance grows too much
   constexpr double similar = 0.85;
   constexpr int manyVertices = 20000;
   std::vector<LevelTrial> added;
@@ -244,12 +243,14 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
     {
       continue;
     }
-    const double bound = share * closest.front().Surface->Error;
     for (std::size_t i = 0; i < closest.size(); ++i)
     {
       const auto& [trial, surface] = closest[i];
       const int vertices = profile.Vertices[trial->Step];
-      const std::size_t candidates = vertices <= FewVertices ? 5 : vertices <= manyVertices ? 3 : 0;
+      const bool few = vertices <= FewVertices;
+      const std::size_t candidates = few ? 5 : vertices <= manyVertices ? 3 : 0;
+      // For less gain, the mean distance grows too much.
+      const double bound = (few ? 0.91 : 0.85) * closest.front().Surface->Error;
       if (i < candidates && surface->Reached &&
         similar * surface->Error <= closest.front().Surface->Error)
       {

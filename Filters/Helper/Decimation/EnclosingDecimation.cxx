@@ -134,8 +134,9 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
   return largest;
 }
 
-/** The bounds within which edges collapse in turn for a target. */
-std::vector<double> ListBounds(const DecimationOptions& options, std::size_t target)
+/** The bounds within which edges of a surface with some vertices collapse in turn for a target. */
+std::vector<double> ListBounds(
+  const DecimationOptions& options, std::size_t target, std::size_t vertices)
 {
   if (options.Type == DecimationTarget::ErrorBound)
   {
@@ -146,13 +147,13 @@ std::vector<double> ListBounds(const DecimationOptions& options, std::size_t tar
   {
     return { HUGE_VAL };
   }
-  constexpr double first = 0.82; // lower ones take more time, and raise the mean distance
-  constexpr int steps = 3;
+  constexpr std::size_t few = 5000; // takes little time; the last bound is higher for these
+  const int steps = vertices <= few ? 3 : 2; // lower bounds also raise the mean distance
+  constexpr double ratio = 1.068;
   std::vector<double> bounds;
-  for (int step = 0; step <= steps; ++step)
+  for (int step = steps; step >= 0; --step)
   {
-    bounds.push_back(
-      options.Bounds[target] * std::pow(first, 1.0 - static_cast<double>(step) / steps));
+    bounds.push_back(options.Bounds[target] / std::pow(ratio, step));
   }
   return bounds;
 }
@@ -164,7 +165,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
 {
   const SurfaceMesh& surface = decimator.GetSurface();
   const bool byError = options.Type == DecimationTarget::ErrorBound;
-  const double all = std::log(static_cast<double>(surface.number_of_vertices()));
+  const std::size_t vertices = surface.number_of_vertices();
+  const double all = std::log(static_cast<double>(vertices));
   const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
   std::future<double> error; // of the last result, measured while the next one is made
   const auto finish = [&]
@@ -193,7 +195,7 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       return options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
                                                          : surface.number_of_vertices();
     };
-    const std::vector<double> bounds = ListBounds(options, i);
+    const std::vector<double> bounds = ListBounds(options, i, vertices);
     bool reached = false;
     for (auto bound = bounds.begin(); bound != bounds.end() && !reached && !stopped; ++bound)
     {

@@ -57,9 +57,9 @@ struct BestTrial
 };
 
 /**
- * The trials that have a surface for a target, from good to bad, each with its best surface for this
- * or a smaller number. Those that reach a number come first, the closest to M before all; within an
- * error bound, those with the fewest vertices.
+ * The trials that have a surface for a target, from good to bad, each with its best surface for
+ * this or a smaller number. Those that reach a number come first, the closest to M before all;
+ * within an error bound, those with the fewest vertices.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);
@@ -69,19 +69,19 @@ BestTrial FindBestTrial(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);
 
 /**
- * The trials that levels are taken from, one per target. The targets are of one type and sorted from
- * coarse to fine. No level comes from a later step than a finer one, so that components only split.
- * That can rule out the best trials for some targets: the sum of the logarithms of the distances is
- * least, or of the numbers of vertices within error bounds.
+ * The trials that levels are taken from, one per target. The targets are of one type and sorted
+ * from coarse to fine. No level comes from a later step than a finer one, so that components only
+ * split. That can rule out the best trials for some targets: the sum of the logarithms of the
+ * distances is least, or of the numbers of vertices within error bounds.
  */
 std::vector<BestTrial> ChooseTrials(
   const std::vector<LevelTrial>& trials, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
  * Drops the numbers of a trial, from the finest one on, for which an earlier step would hardly be
- * closer than the last one is: neither the topology of the last step nor its pits keep its level far
- * from M. `diagonal` is that of M. Numbers below one that is tried remain: if the trial's step is
- * best for a level, no coarser level may come from a later step.
+ * closer than the last one is: neither the topology of the last step nor its pits keep its level
+ * far from M. `diagonal` is that of M. Numbers below one that is tried remain: if the trial's step
+ * is best for a level, no coarser level may come from a later step.
  */
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);

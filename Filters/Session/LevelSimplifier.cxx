@@ -319,7 +319,7 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     return true;
   }
   this->Threads = settings.ThreadsOfLeaf;
-  // Which step is best hardly depends on the steps around it. More trials find better ones.
+  // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
   constexpr int anyNumber = std::numeric_limits<int>::max();
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, this->Trials, mostVertices); };

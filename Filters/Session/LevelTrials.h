@@ -9,9 +9,9 @@
 #include "Core/Measure/SimplifiedStream.h"
 #include "Core/Protocol/Protocol.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 /** All targets of a trial have bounds, or none has; see carving::DecimationOptions. */
@@ -37,17 +37,23 @@ struct LevelTrial
   double LeastVertices = 0.0; ///< that the topology of the step's surface needs, in practice
 };
 
-/** Drops targets of a trial before the trial runs. */
+/** Drops targets of a trial before the trial runs. The predicate sees their values in order. */
 template <class Predicate>
 void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
 {
-  const auto kept = std::stable_partition(trial.Targets.begin(), trial.Targets.end(),
-    [&predicate](const TrialTarget& target) { return !predicate(target.Value); });
-  for (auto dropped = kept; dropped != trial.Targets.end(); ++dropped)
+  std::vector<TrialTarget> kept;
+  for (const TrialTarget& target : trial.Targets)
   {
-    trial.Dropped.push_back(dropped->Value);
+    if (predicate(target.Value))
+    {
+      trial.Dropped.push_back(target.Value);
+    }
+    else
+    {
+      kept.push_back(target);
+    }
   }
-  trial.Targets.erase(kept, trial.Targets.end());
+  trial.Targets = std::move(kept);
 }
 
 struct BestTrial

@@ -159,6 +159,7 @@ template <int D>
 typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
   const FacetCorners<D>& face, int queries, double enough, const FacetCorners<D>* nearby) const
 {
+  enough = std::max(enough, this->Negligible);
   std::priority_queue<Piece> pieces;
   double lower = 0.0;
   pieces.push(this->MakePiece(face, nearby, enough, lower));
@@ -219,7 +220,6 @@ typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
     }
   }
   Piece piece = { corners, {}, Box::Infinity };
-  enough = std::max(enough, this->Negligible);
   double least = Box::Infinity;
   const auto consider = [&](const FacetCorners<D>& facet)
   {

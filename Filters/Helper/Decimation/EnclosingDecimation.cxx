@@ -147,7 +147,7 @@ std::vector<double> ListBounds(
   {
     return { HUGE_VAL };
   }
-  constexpr std::size_t few = 5000; // takes little time; the last bound is higher for these
+  constexpr std::size_t few = 5000; // as in TrialPlans.h: the last bound is higher for these
   const int steps = vertices <= few ? 3 : 2; // lower bounds also raise the mean distance
   constexpr double ratio = 1.068;
   std::vector<double> bounds;

@@ -53,6 +53,16 @@ std::vector<double> FindTried(const LevelTrial& last)
   return numbers;
 }
 
+std::vector<SimplifiedTarget> MakeTargets(const std::vector<double>& numbers)
+{
+  std::vector<SimplifiedTarget> targets;
+  for (const double number : numbers)
+  {
+    targets.push_back({ LevelTarget::Vertices, LastStep, number, {} });
+  }
+  return targets;
+}
+
 carving::Profile TunnelAtEachStep()
 {
   carving::Profile profile;
@@ -104,11 +114,7 @@ TEST(LevelTrials, TryAllCoarserNumbersToo)
 TEST(LevelTrials, TryStepsBetweenForAllNumbers)
 {
   const carving::Profile profile = TunnelAtEachStep();
-  std::vector<SimplifiedTarget> targets;
-  for (const double value : { 200.0, 500.0, 2000.0 })
-  {
-    targets.push_back({ LevelTarget::Vertices, LastStep, value, {} });
-  }
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 200.0, 500.0, 2000.0 });
   const std::vector<Reached> far = { { 2000, 0.3 }, { 500, 0.3 }, { 200, 0.3 } },
                              close = { { 2000, 0.002 }, { 500, 0.3 }, { 200, 0.3 } };
   const std::vector<LevelTrial> added = PlanTrialsBetween(
@@ -123,7 +129,7 @@ TEST(LevelTrials, TryStepsBetweenForAllNumbers)
 // Only trials for the same number tell where to try next.
 TEST(LevelTrials, TryStepsBetweenTrialsForTheSameNumber)
 {
-  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} } };
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 200.0 });
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 200, 0.3 } }),
     MakeTrial(60, { { 2000, 0.1 } }), MakeTrial(0, { { 200, 0.2 } }) };
   const std::vector<LevelTrial> added =
@@ -140,7 +146,7 @@ TEST(LevelTrials, AreRankedByDistance)
 {
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.03 }, { 200, 0.05 } }),
     MakeTrial(50, { { 500, 0.02 }, { 200, 0.01 } }) };
-  const SimplifiedTarget target = { LevelTarget::Vertices, LastStep, 500.0, {} };
+  const SimplifiedTarget target = MakeTargets({ 500.0 }).front();
   const std::vector<BestTrial> ranked = RankTrials(trials, target);
   ASSERT_EQ(ranked.size(), 2u);
   EXPECT_EQ(ranked[0].Trial, &trials[1]);
@@ -151,8 +157,7 @@ TEST(LevelTrials, AreRankedByDistance)
 // No level comes from a later step than a finer one, even if that is closer to M.
 TEST(LevelTrials, AreChosenFromStepsInOrder)
 {
-  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} },
-    { LevelTarget::Vertices, LastStep, 500.0, {} } };
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 200.0, 500.0 });
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.08 }, { 200, 0.09 } }),
     MakeTrial(50, { { 500, 0.01 }, { 200, 0.1 } }) };
   const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
@@ -163,8 +168,7 @@ TEST(LevelTrials, AreChosenFromStepsInOrder)
 // A finer level that is hardly closer does not rule out a coarser one that is much closer.
 TEST(LevelTrials, AreChosenForAllLevelsTogether)
 {
-  const std::vector<SimplifiedTarget> targets = { { LevelTarget::Vertices, LastStep, 200.0, {} },
-    { LevelTarget::Vertices, LastStep, 500.0, {} } };
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 200.0, 500.0 });
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.011 }, { 200, 0.02 } }),
     MakeTrial(50, { { 500, 0.01 }, { 200, 0.1 } }) };
   const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
@@ -175,11 +179,7 @@ TEST(LevelTrials, AreChosenForAllLevelsTogether)
 // There are as many levels as steps in order allow, also if some targets have no trial.
 TEST(LevelTrials, AreChosenForAsManyLevelsAsPossible)
 {
-  std::vector<SimplifiedTarget> targets;
-  for (const double value : { 50.0, 200.0, 500.0, 2000.0 })
-  {
-    targets.push_back({ LevelTarget::Vertices, LastStep, value, {} });
-  }
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 50.0, 200.0, 500.0, 2000.0 });
   const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 200, 0.01 } }),
     MakeTrial(60, { { 500, 0.001 } }), MakeTrial(50, { { 2000, 0.0001 } }) };
   const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);

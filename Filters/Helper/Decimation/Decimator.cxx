@@ -192,6 +192,10 @@ bool Decimator::CollapseAll(
 void Decimator::Try(HalfEdge edge)
 {
   const Star star(this->Surface, edge);
+  if (star.Link.empty())
+  {
+    return; // an edge of a facet with two sides
+  }
   const LocalError error = this->ErrorOf(edge);
   const std::optional<Point> known = this->Queue.GetPosition(this->Surface.edge(edge));
   if (known && this->KeepsTopology(edge) && this->IsValid(star, *known) &&

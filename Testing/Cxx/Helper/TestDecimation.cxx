@@ -254,6 +254,21 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
   }
 }
 
+// A facet with two sides is a component that cannot collapse.
+TEST(Decimation, KeepsFacetsWithTwoSides)
+{
+  std::mt19937_64 random(6);
+  TriangleMesh mesh = models::Sphere(2);
+  const int first = static_cast<int>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), { { 3, 0, 0 }, { 4, 0, 0 }, { 3, 1, 0 } });
+  mesh.Triangles.push_back({ first, first + 1, first + 2 });
+  mesh.Triangles.push_back({ first, first + 2, first + 1 });
+  const std::vector<Result> results = Decimate(mesh, { 20 });
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_EQ(results[0].Mesh.Points.size(), 20u);
+  ExpectEnclosingSurface(mesh, mesh, results[0], random);
+}
+
 // A lens keeps its rim around a ring, which is far from the middle of the lens: with 40 vertices, the
 // rim is at least as round as a regular polygon of 16 sides.
 TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)

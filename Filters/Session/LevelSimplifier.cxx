@@ -329,8 +329,8 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     [&] { return between(anyNumber); },
     [&] { return between(anyNumber); },
     [&] { return between(anyNumber); },
-    [&] { return between(FewVertices); },
-    [&] { return between(FewVertices); },
+    [&] { return between(carving::DecimationOptions::FewVertices); },
+    [&] { return between(carving::DecimationOptions::FewVertices); },
     [&] { return PlanTighterTrials(profile, targets, this->Trials); },
   };
   const double share = 1.0 / std::size(rounds);

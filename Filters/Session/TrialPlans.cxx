@@ -8,6 +8,7 @@
 namespace
 {
 
+using carving::DecimationOptions;
 using carving::LevelTarget;
 using carving::Profile;
 using carving::SimplifiedTarget;
@@ -233,7 +234,6 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
   constexpr double similar = 0.85;
-  constexpr int manyVertices = 20000;
   std::vector<LevelTrial> added;
   for (const SimplifiedTarget& target : targets)
   {
@@ -247,8 +247,8 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
     {
       const auto& [trial, surface] = closest[i];
       const int vertices = profile.Vertices[trial->Step];
-      const bool few = vertices <= FewVertices;
-      const std::size_t candidates = few ? 5 : vertices <= manyVertices ? 3 : 0;
+      const bool few = vertices <= DecimationOptions::FewVertices;
+      const std::size_t candidates = few ? 5 : vertices <= DecimationOptions::ManyVertices ? 3 : 0;
       // For less gain, the mean distance grows too much.
       const double bound = (few ? 0.91 : 0.85) * closest.front().Surface->Error;
       if (i < candidates && surface->Reached &&

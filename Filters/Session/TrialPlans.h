@@ -15,9 +15,6 @@
 
 #include <vector>
 
-/** Steps with at most this many vertices are decimated in about a second. */
-constexpr int FewVertices = 5000;
-
 /** The last step for each target. */
 std::vector<LevelTrial> PlanTrialsOfLastSteps(
   const std::vector<carving::SimplifiedTarget>& targets);

@@ -47,6 +47,14 @@ enum class DecimationTarget : int
 /** The options of JobKind::Decimate. */
 struct DecimationOptions
 {
+  /** At most so many vertices: decimating a surface takes about a second, so that more is tried. */
+  static constexpr int FewVertices = 5000;
+  /**
+   * More vertices: surfaces are so close to the mesh that measuring distances and moving vertices
+   * after the collapses are not worth the time.
+   */
+  static constexpr int ManyVertices = 20000;
+
   DecimationTarget Type = DecimationTarget::Vertices;
   /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */
   std::vector<double> Targets;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Decimator.h"
 
-#include "Core/Mesh/Box.h"
-#include "Helper/Base/Kernels.h"
+#include "Core/Protocol/Protocol.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -19,16 +18,7 @@ namespace
  * At most so many vertices: the inward slide of every candidate orders the queue, which is better,
  * but slower.
  */
-constexpr SurfaceMesh::size_type FewVertices = 2000;
-
-/** At more vertices, surfaces are so close to M that measuring distances is not worth the time. */
-constexpr SurfaceMesh::size_type ManyVertices = 20000;
-
-/**
- * The weight of the squared largest distance beside the quadric error, in areas of the surface that
- * a vertex stands for on average. More weight raises the mean distance and the time.
- */
-constexpr double AreasPerVertex = 6.0;
+constexpr SurfaceMesh::size_type MostToSlideFirst = 2000;
 
 /** Queries for the distance of a face within an error bound. */
 constexpr int MostQueries = 64;
@@ -46,14 +36,10 @@ Decimator::Decimator(
   , Queue(this->Surface)
   , M(fromM.GetTree())
   , FromM(fromM)
-  , FromStart(fromStart)
+  , Errors(this->Surface, fromStart)
   , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
-  , Quadrics(this->Surface.num_vertices())
 {
-  const auto [lower, upper] = BoxAround(fromM.GetTree().GetItems().GetMesh().Points);
-  this->Origin = Between(lower, upper, 0.5);
-  this->AddPlanes();
 }
 
 void Decimator::RaiseErrorBound(double bound)
@@ -65,40 +51,10 @@ void Decimator::RaiseErrorBound(double bound)
   }
 }
 
-/** Adds the plane of each face to the quadrics of its vertices, weighted by area. Sums the areas. */
-void Decimator::AddPlanes()
-{
-  for (const Face face : this->Surface.faces())
-  {
-    const auto [a, b, c] = CornersOf(this->Surface, face);
-    const Point normal = Cross(b - a, c - a);
-    const double length = Length(normal);
-    if (length > 0.0)
-    {
-      const Point n = normal / length;
-      this->Area += length / 2.0;
-      for (const Vertex v : CGAL::vertices_around_face(this->Surface.halfedge(face), this->Surface))
-      {
-        this->Quadrics[v].AddPlane(n, a - this->Origin, length);
-      }
-    }
-  }
-}
-
-/** The error about the edge's midpoint. */
-LocalError Decimator::ErrorOf(HalfEdge edge) const
-{
-  const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
-  const Point middle = Between(this->Surface.point(u), this->Surface.point(v), 0.5);
-  Quadric sum = this->Quadrics[u];
-  sum.Add(this->Quadrics[v]);
-  return { sum.MovedTo(middle - this->Origin), middle };
-}
-
 /** Pushes an edge with a lower bound of its cost: the least error anywhere. */
 void Decimator::PushBound(HalfEdge edge)
 {
-  this->Queue.Push(this->Surface.edge(edge), Placement::FindLeastError(this->ErrorOf(edge)));
+  this->Queue.Push(this->Surface.edge(edge), Placement::FindLeastError(this->Errors.OfEdge(edge)));
 }
 
 /**
@@ -196,7 +152,7 @@ void Decimator::Try(HalfEdge edge)
   {
     return; // an edge of a facet with two sides
   }
-  const LocalError error = this->ErrorOf(edge);
+  const LocalError error = this->Errors.OfEdge(edge);
   const std::optional<Point> known = this->Queue.GetPosition(this->Surface.edge(edge));
   if (known && this->KeepsTopology(edge) && this->IsValid(star, *known) &&
     this->IsWithinErrorBound(star, *known))
@@ -210,7 +166,7 @@ void Decimator::Try(HalfEdge edge)
     return;
   }
   const double limit = this->Queue.GetLeastCost();
-  const bool few = this->Surface.number_of_vertices() <= FewVertices;
+  const bool few = this->Surface.number_of_vertices() <= MostToSlideFirst;
   const Point& start = outward.front();
   Point inward = start;
   if (!this->Nested && (few || error.At(start) <= limit))
@@ -232,8 +188,9 @@ void Decimator::Try(HalfEdge edge)
 bool Decimator::Defer(
   HalfEdge edge, const Star& star, const LocalError& error, const Point& w, double limit)
 {
-  const bool measures = !this->Nested && this->Surface.number_of_vertices() <= ManyVertices;
-  const double cost = measures ? this->CostOf(star, error, w) : error.At(w);
+  const bool measures =
+    !this->Nested && this->Surface.number_of_vertices() <= DecimationOptions::ManyVertices;
+  const double cost = measures ? this->Errors.CostOf(star, error, w) : error.At(w);
   if (cost <= limit)
   {
     return false;
@@ -272,24 +229,6 @@ void Decimator::CollapseOrDefer(HalfEdge edge, const Star& star, const LocalErro
       return;
     }
   }
-}
-
-/**
- * The quadric error, or the squared largest distance from the surface as given if that weighs more.
- * Quadrics know planes only: where parts of the surface end, or a gap is bridged, a vertex on all
- * planes can be far away. The distance weighs the same for small faces as for large ones, since a
- * small face far away makes the whole level as bad. The distance from M would not do: where the
- * given surface is far from M itself, collapses that change little would cost most.
- */
-double Decimator::CostOf(const Star& star, const LocalError& error, const Point& w) const
-{
-  double farthest = this->FromStart.OfPoint(w);
-  for (const auto& [a, b] : star.Link)
-  {
-    farthest = std::max(farthest, this->FromStart.OfPoint((a + b + w) / 3.0));
-  }
-  const double weight = AreasPerVertex * this->Area / this->Surface.number_of_vertices();
-  return std::max(error.At(w), weight * farthest * farthest);
 }
 
 /**
@@ -340,19 +279,18 @@ void Decimator::Collapse(HalfEdge edge, const Star& star, const Point& w)
 {
   this->RecordMovesBack();
   const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
-  Quadric quadric = this->Quadrics[u];
-  quadric.Add(this->Quadrics[v]);
   const Vertex vertex = CGAL::Euler::collapse_edge(this->Surface.edge(edge), this->Surface);
+  const Vertex removed = vertex == u ? v : u;
   this->Surface.point(vertex) = w;
-  this->History.AddCollapse(this->Surface, vertex, vertex == u ? v : u, star.Faces);
-  this->Quadrics[vertex] = quadric;
+  this->History.AddCollapse(this->Surface, vertex, removed, star.Faces);
+  this->Errors.Merge(vertex, removed);
   this->Collisions.Update(star);
   this->PushAround(vertex);
 }
 
 void Decimator::Tighten(const std::function<bool()>& goOn)
 {
-  if (this->Nested || this->Surface.number_of_vertices() > ManyVertices)
+  if (this->Nested || this->Surface.number_of_vertices() > DecimationOptions::ManyVertices)
   {
     return;
   }
@@ -371,13 +309,13 @@ void Decimator::MoveInward(Vertex vertex)
 {
   const Point from = this->Surface.point(vertex);
   const Star star(this->Surface, vertex);
-  const LocalError error = { this->Quadrics[vertex].MovedTo(from - this->Origin), from };
+  const LocalError error = this->Errors.OfVertex(vertex);
   const Point end = this->Place.SlideInward(star, error, from);
-  const double cost = this->CostOf(star, error, from);
+  const double cost = this->Errors.CostOf(star, error, from);
   for (const double share : Shares)
   {
     const Point w = Between(from, end, share);
-    if (w == from || this->CostOf(star, error, w) >= cost)
+    if (w == from || this->Errors.CostOf(star, error, w) >= cost)
     {
       return;
     }

@@ -12,7 +12,7 @@
 #include "Helper/Decimation/CollisionSearch.h"
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/Placement.h"
-#include "Helper/Decimation/Quadric.h"
+#include "Helper/Decimation/SurfaceErrors.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
 #include <functional>
@@ -85,8 +85,6 @@ private:
     int ChainPoint; ///< its point of the chain before
   };
 
-  void AddPlanes();
-  LocalError ErrorOf(HalfEdge edge) const;
   void PushBound(HalfEdge edge);
   /** Records that edges may collapse now that could not before. */
   void AllowRefill()
@@ -102,7 +100,6 @@ private:
   bool IsValid(const Star& star, const Point& w);
   std::vector<Point> FindOutward(HalfEdge edge, const Star& star, const LocalError& error);
   void Try(HalfEdge edge);
-  double CostOf(const Star& star, const LocalError& error, const Point& w) const;
   bool Defer(
     HalfEdge edge, const Star& star, const LocalError& error, const Point& w, double limit);
   void CollapseOrDefer(HalfEdge edge, const Star& star, const LocalError& error,
@@ -117,13 +114,10 @@ private:
   CollapseQueue Queue;
   Obstacle M;
   const FaceDistance<3>& FromM;
-  const FaceDistance<3>& FromStart; ///< from the surface before the first collapse
+  SurfaceErrors Errors;
   Placement Place;
   bool Nested;
-  double ErrorBound = 0.0;       ///< before the first bound
-  Point Origin;                  ///< of the quadrics
-  double Area = 0.0;             ///< of the surface before the first collapse
-  std::vector<Quadric> Quadrics; ///< per vertex: the planes of the faces that it stands for
+  double ErrorBound = 0.0; ///< before the first bound
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
   bool UsesEnds = false; ///< whether edges also collapse into their ends
   std::map<Vertex, Move> Moves;

@@ -147,8 +147,8 @@ std::vector<double> ListBounds(
   {
     return { HUGE_VAL };
   }
-  constexpr std::size_t few = 5000; // as in TrialPlans.h: the last bound is higher for these
-  const int steps = vertices <= few ? 3 : 2; // lower bounds also raise the mean distance
+  // Lower bounds also raise the mean distance.
+  const int steps = vertices <= DecimationOptions::FewVertices ? 3 : 2;
   constexpr double ratio = 1.068;
   std::vector<double> bounds;
   for (int step = steps; step >= 0; --step)

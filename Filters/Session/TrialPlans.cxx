@@ -250,7 +250,7 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
       const bool few = vertices <= DecimationOptions::FewVertices;
       const std::size_t candidates = few ? 5 : vertices <= DecimationOptions::ManyVertices ? 3 : 0;
       // For less gain, the mean distance grows too much.
-      const double bound = (few ? 0.91 : 0.85) * closest.front().Surface->Error;
+      const double bound = (few ? 0.94 : 0.875) * closest.front().Surface->Error;
       if (i < candidates && surface->Reached &&
         similar * surface->Error <= closest.front().Surface->Error)
       {

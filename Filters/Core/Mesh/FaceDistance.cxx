@@ -182,7 +182,7 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
 }
 
 template <int D>
-bool FaceDistance<D>::IsWithin(const FacetCorners<D>& face, double bound, int queries) const
+double FaceDistance<D>::FindFarther(const FacetCorners<D>& face, double bound, int queries) const
 {
   double lower = 0.0;
   std::vector<Piece> open = { this->MakePiece(face, nullptr, bound, lower) };
@@ -199,8 +199,9 @@ bool FaceDistance<D>::IsWithin(const FacetCorners<D>& face, double bound, int qu
       }
     }
   }
-  return std::all_of(
+  const bool isWithin = std::all_of(
     open.begin(), open.end(), [bound](const Piece& piece) { return piece.Upper <= bound; });
+  return isWithin ? 0.0 : std::max(lower, bound);
 }
 
 /**

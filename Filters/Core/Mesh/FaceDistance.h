@@ -63,10 +63,10 @@ public:
     const FacetCorners<D>* nearby = nullptr) const;
 
   /**
-   * Whether no point of the face is farther than a bound. Says no if this many queries do not
-   * decide.
+   * The distance of a point of the face that is farther than a bound, or 0 if there is none. The
+   * bound itself if this many queries do not decide.
    */
-  bool IsWithin(const FacetCorners<D>& face, double bound, int queries) const;
+  double FindFarther(const FacetCorners<D>& face, double bound, int queries) const;
 
 private:
   struct Piece

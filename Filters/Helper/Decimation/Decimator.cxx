@@ -20,9 +20,6 @@ namespace
  */
 constexpr SurfaceMesh::size_type MostToSlideFirst = 2000;
 
-/** Queries for the distance of a face within an error bound. */
-constexpr int MostQueries = 64;
-
 /** The shares of a way inward that are tried in turn: near its end, roundings decide. */
 constexpr double Shares[] = { 1.0, 0.98, 0.7, 0.0 };
 
@@ -35,7 +32,7 @@ Decimator::Decimator(
   , Collisions(this->Surface)
   , Queue(this->Surface)
   , M(fromM.GetTree())
-  , FromM(fromM)
+  , Bound(fromM, this->Surface.num_edges())
   , Errors(this->Surface, fromStart)
   , Place(PointsOf(this->Surface), this->M)
   , Nested(nested)
@@ -44,9 +41,8 @@ Decimator::Decimator(
 
 void Decimator::RaiseErrorBound(double bound)
 {
-  if (bound > this->ErrorBound)
+  if (this->Bound.Raise(bound))
   {
-    this->ErrorBound = bound;
     this->AllowRefill();
   }
 }
@@ -58,8 +54,8 @@ void Decimator::PushBound(HalfEdge edge)
 }
 
 /**
- * Pushes all edges that are not in the queue. Returns false if hardly any has collapsed since the
- * last time.
+ * Pushes all edges that are not in the queue and may collapse. Returns false if hardly any has
+ * collapsed since the last time.
  */
 bool Decimator::Refill()
 {
@@ -72,7 +68,7 @@ bool Decimator::Refill()
   this->VerticesAtRefill = count;
   for (const auto edge : this->Surface.edges())
   {
-    if (!this->Queue.Contains(edge))
+    if (!this->Queue.Contains(edge) && this->Bound.MayAllow(edge))
     {
       this->PushBound(this->Surface.halfedge(edge));
     }
@@ -127,11 +123,15 @@ bool Decimator::CollapseAll(
       if (!this->Refill())
       {
         if (this->UsesEnds &&
-          !this->Place.Widen(this->Surface.number_of_vertices(), this->ErrorBound))
+          !this->Place.Widen(this->Surface.number_of_vertices(), this->Bound.Get()))
         {
           return false;
         }
-        this->UsesEnds = true;
+        if (!this->UsesEnds)
+        {
+          this->UsesEnds = true;
+          this->Bound.ForgetAll();
+        }
         this->AllowRefill();
       }
       next = this->Queue.Pop();
@@ -147,96 +147,120 @@ bool Decimator::CollapseAll(
  */
 void Decimator::Try(HalfEdge edge)
 {
-  const Star star(this->Surface, edge);
-  if (star.Link.empty())
+  Attempt attempt = { edge, Star(this->Surface, edge), this->Errors.OfEdge(edge) };
+  if (attempt.Around.Link.empty())
   {
     return; // an edge of a facet with two sides
   }
-  const LocalError error = this->Errors.OfEdge(edge);
   const std::optional<Point> known = this->Queue.GetPosition(this->Surface.edge(edge));
-  if (known && this->KeepsTopology(edge) && this->IsValid(star, *known) &&
-    this->IsWithinErrorBound(star, *known))
+  if (known && this->KeepsTopology(edge) && this->IsValid(attempt.Around, *known))
   {
-    this->Collapse(edge, star, *known);
+    this->Collapse(attempt, *known);
     return;
   }
-  const std::vector<Point> outward = this->FindOutward(edge, star, error);
+  const std::vector<Point> outward = this->FindOutward(attempt);
   if (outward.empty())
   {
     return;
   }
-  const double limit = this->Queue.GetLeastCost();
+  attempt.Limit = this->Queue.GetLeastCost();
   const bool few = this->Surface.number_of_vertices() <= MostToSlideFirst;
   const Point& start = outward.front();
   Point inward = start;
-  if (!this->Nested && (few || error.At(start) <= limit))
+  if (!this->Nested && (few || attempt.Error.At(start) <= attempt.Limit))
   {
-    inward = this->Place.SlideInward(star, error, start, limit);
+    inward = this->Place.SlideInward(attempt.Around, attempt.Error, start, attempt.Limit);
   }
-  const double least = error.At(few ? inward : start);
-  if (least > limit)
+  const double least = attempt.Error.At(few ? inward : start);
+  if (least > attempt.Limit)
   {
     this->Queue.Push(this->Surface.edge(edge), least);
   }
-  else if (this->KeepsTopology(edge) && (known || !this->Defer(edge, star, error, inward, limit)))
+  else if (this->KeepsTopology(edge))
   {
-    this->CollapseOrDefer(edge, star, error, outward, inward, limit);
+    this->CollapseOrDefer(attempt, outward, inward, known.has_value());
   }
 }
 
 /** Pushes an edge again if collapsing it into w costs more than the limit. */
-bool Decimator::Defer(
-  HalfEdge edge, const Star& star, const LocalError& error, const Point& w, double limit)
+bool Decimator::Defer(const Attempt& attempt, const Point& w)
 {
   const bool measures =
     !this->Nested && this->Surface.number_of_vertices() <= DecimationOptions::ManyVertices;
-  const double cost = measures ? this->Errors.CostOf(star, error, w) : error.At(w);
-  if (cost <= limit)
+  const double cost =
+    measures ? this->Errors.CostOf(attempt.Around, attempt.Error, w) : attempt.Error.At(w);
+  if (cost <= attempt.Limit)
   {
     return false;
   }
-  this->Queue.Push(this->Surface.edge(edge), cost, w);
+  this->Queue.Push(this->Surface.edge(attempt.Edge), cost, w);
   return true;
 }
 
 /**
  * Takes the first valid position on the ways inward from outward ones. `inward` is the end of the
- * first way.
+ * first way, whose cost may be known not to exceed the limit.
  */
-void Decimator::CollapseOrDefer(HalfEdge edge, const Star& star, const LocalError& error,
-  const std::vector<Point>& outward, const Point& inward, double limit)
+void Decimator::CollapseOrDefer(
+  const Attempt& attempt, const std::vector<Point>& outward, const Point& inward, bool isCostKnown)
 {
+  const SurfaceMesh::Edge_index edge = this->Surface.edge(attempt.Edge);
+  this->Bound.Forget(edge);
   for (const Point& start : outward)
   {
-    const Point end = this->Nested ? start
-      : start == outward.front()   ? inward
-                                   : this->Place.SlideInward(star, error, start);
-    for (const double share : Shares)
+    const bool isFirst = start == outward.front();
+    const Point end = isFirst ? inward
+      : this->Nested          ? start
+                              : this->Place.SlideInward(attempt.Around, attempt.Error, start);
+    if (!this->Bound.Allows(edge, attempt.Around, end))
     {
-      const Point w = Between(start, end, share);
-      if ((share > 0.0 && start == end) || !this->IsValid(star, w))
+      continue;
+    }
+    if (isFirst && !isCostKnown && this->Defer(attempt, inward))
+    {
+      return;
+    }
+    if (const std::optional<Point> w = this->FindValid(attempt, start, end))
+    {
+      if (*w == inward || !this->Defer(attempt, *w))
       {
-        continue;
-      }
-      if (!this->IsWithinErrorBound(star, w))
-      {
-        break;
-      }
-      if (w == inward || !this->Defer(edge, star, error, w, limit))
-      {
-        this->Collapse(edge, star, w);
+        this->Collapse(attempt, *w);
       }
       return;
     }
   }
 }
 
+/** The first valid position within the error bound on the way from `end`, which is, to `start`. */
+std::optional<Point> Decimator::FindValid(
+  const Attempt& attempt, const Point& start, const Point& end)
+{
+  for (const double share : Shares)
+  {
+    const Point w = Between(start, end, share);
+    if (share > 0.0 && start == end)
+    {
+      continue;
+    }
+    if (w != end && !this->Bound.Allows(this->Surface.edge(attempt.Edge), attempt.Around, w))
+    {
+      break; // positions outward are farther
+    }
+    if (this->IsValid(attempt.Around, w))
+    {
+      return w;
+    }
+  }
+  return std::nullopt;
+}
+
 /**
  * Outward positions, best first. Ends of edges are tried only once nothing else helps: the other
  * positions fit better, but may turn faces over in flat regions.
  */
-std::vector<Point> Decimator::FindOutward(HalfEdge edge, const Star& star, const LocalError& error)
+std::vector<Point> Decimator::FindOutward(const Attempt& attempt)
 {
+  const auto& [edge, star, error, limit] = attempt;
   std::vector<Point> positions;
   if (const std::optional<Point> w = this->Place.FindOutward(star, error))
   {
@@ -250,7 +274,8 @@ std::vector<Point> Decimator::FindOutward(HalfEdge edge, const Star& star, const
     }
   }
   std::stable_sort(positions.begin(), positions.end(),
-    [&](const Point& a, const Point& b) { return error.At(a) < error.At(b); });
+    [&attempt](const Point& a, const Point& b)
+    { return attempt.Error.At(a) < attempt.Error.At(b); });
   return positions;
 }
 
@@ -265,26 +290,17 @@ bool Decimator::IsValid(const Star& star, const Point& w)
   return this->M.StaysEnclosed(star, w) && this->Collisions.IsFree(star, w);
 }
 
-bool Decimator::IsWithinErrorBound(const Star& star, const Point& w) const
+void Decimator::Collapse(const Attempt& attempt, const Point& w)
 {
-  return this->ErrorBound == std::numeric_limits<double>::infinity() ||
-    (this->FromM.OfPoint(w) <= this->ErrorBound &&
-      std::all_of(star.Link.begin(), star.Link.end(),
-        [&](const std::array<Point, 2>& edge) {
-          return this->FromM.IsWithin({ edge[0], edge[1], w }, this->ErrorBound, MostQueries);
-        }));
-}
-
-void Decimator::Collapse(HalfEdge edge, const Star& star, const Point& w)
-{
+  const HalfEdge edge = attempt.Edge;
   this->RecordMovesBack();
   const Vertex u = this->Surface.source(edge), v = this->Surface.target(edge);
   const Vertex vertex = CGAL::Euler::collapse_edge(this->Surface.edge(edge), this->Surface);
   const Vertex removed = vertex == u ? v : u;
   this->Surface.point(vertex) = w;
-  this->History.AddCollapse(this->Surface, vertex, removed, star.Faces);
+  this->History.AddCollapse(this->Surface, vertex, removed, attempt.Around.Faces);
   this->Errors.Merge(vertex, removed);
-  this->Collisions.Update(star);
+  this->Collisions.Update(attempt.Around);
   this->PushAround(vertex);
 }
 
@@ -319,7 +335,7 @@ void Decimator::MoveInward(Vertex vertex)
     {
       return;
     }
-    if (this->IsValid(star, w) && this->IsWithinErrorBound(star, w))
+    if (this->IsValid(star, w) && this->Bound.Allows(star, w))
     {
       this->Moves.try_emplace(vertex, Move{ from, this->History.GetPoint(vertex) });
       this->Surface.point(vertex) = w;

@@ -10,6 +10,7 @@
 #include "Helper/Decimation/ChainRecorder.h"
 #include "Helper/Decimation/CollapseQueue.h"
 #include "Helper/Decimation/CollisionSearch.h"
+#include "Helper/Decimation/ErrorBound.h"
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/Placement.h"
 #include "Helper/Decimation/SurfaceErrors.h"
@@ -42,14 +43,14 @@ public:
     bool nested);
 
   /**
-   * No face that a collapse makes may be farther from M from now on. Has no effect if the last bound
-   * was greater. There is none at first.
+   * No face that a collapse makes may be farther from M from now on. Has no effect if the last
+   * bound was greater. The bound is 0 at first.
    */
   void RaiseErrorBound(double bound);
 
   /**
-   * Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more. Before
-   * that, `triesHarder` says whether positions that fit less well are worth their time.
+   * Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more.
+   * Before that, `triesHarder` says whether positions that fit less well are worth their time.
    */
   bool Run(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder);
 
@@ -85,6 +86,15 @@ private:
     int ChainPoint; ///< its point of the chain before
   };
 
+  /** An attempt to collapse an edge. */
+  struct Attempt
+  {
+    HalfEdge Edge;
+    Star Around;
+    LocalError Error;
+    double Limit = 0.0; ///< of the cost: the least of all other edges
+  };
+
   void PushBound(HalfEdge edge);
   /** Records that edges may collapse now that could not before. */
   void AllowRefill()
@@ -95,16 +105,15 @@ private:
   bool CollapseAll(const std::function<bool()>& goOn, const std::function<bool()>& triesHarder);
   void SwapMoves();
   void RecordMovesBack();
-  bool IsWithinErrorBound(const Star& star, const Point& w) const;
   bool KeepsTopology(HalfEdge edge) const;
   bool IsValid(const Star& star, const Point& w);
-  std::vector<Point> FindOutward(HalfEdge edge, const Star& star, const LocalError& error);
+  std::vector<Point> FindOutward(const Attempt& attempt);
   void Try(HalfEdge edge);
-  bool Defer(
-    HalfEdge edge, const Star& star, const LocalError& error, const Point& w, double limit);
-  void CollapseOrDefer(HalfEdge edge, const Star& star, const LocalError& error,
-    const std::vector<Point>& outward, const Point& inward, double limit);
-  void Collapse(HalfEdge edge, const Star& star, const Point& w);
+  bool Defer(const Attempt& attempt, const Point& w);
+  void CollapseOrDefer(const Attempt& attempt, const std::vector<Point>& outward,
+    const Point& inward, bool isCostKnown);
+  std::optional<Point> FindValid(const Attempt& attempt, const Point& start, const Point& end);
+  void Collapse(const Attempt& attempt, const Point& w);
   void MoveInward(Vertex vertex);
   void PushAround(Vertex vertex);
 
@@ -113,11 +122,10 @@ private:
   CollisionSearch Collisions; ///< of the surface with itself
   CollapseQueue Queue;
   Obstacle M;
-  const FaceDistance<3>& FromM;
+  ErrorBound Bound; ///< of the distance from M
   SurfaceErrors Errors;
   Placement Place;
   bool Nested;
-  double ErrorBound = 0.0; ///< before the first bound
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
   bool UsesEnds = false; ///< whether edges also collapse into their ends
   std::map<Vertex, Move> Moves;

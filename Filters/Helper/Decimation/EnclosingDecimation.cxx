@@ -20,8 +20,8 @@ namespace
 {
 
 /**
- * A bounded surface with more vertices than this factor of its target, none of whose edges collapses
- * well, does not get to the target.
+ * A bounded surface with more vertices than this factor of its target, none of whose edges
+ * collapses well, does not get to the target.
  */
 constexpr double MostAboveTarget = 1.1;
 
@@ -149,12 +149,13 @@ std::vector<double> ListBounds(
   }
   // Lower bounds also raise the mean distance.
   const int steps = vertices <= DecimationOptions::FewVertices ? 3 : 2;
-  constexpr double ratio = 1.068;
+  constexpr double ratio = 1.068, lastRatio = 1.03;
   std::vector<double> bounds;
   for (int step = steps; step >= 0; --step)
   {
-    bounds.push_back(options.Bounds[target] / std::pow(ratio, step));
+    bounds.push_back(options.Bounds[target] / lastRatio / std::pow(ratio, step));
   }
+  bounds.push_back(options.Bounds[target]); // where only a few vertices are too many
   return bounds;
 }
 
@@ -200,8 +201,10 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
     for (auto bound = bounds.begin(); bound != bounds.end() && !reached && !stopped; ++bound)
     {
       // The distance of a surface is about inversely proportional to its number of vertices.
-      constexpr double about = 1.2;
-      if (bound != bounds.begin() && bound[-1] * count() > about * bounds.back() * target)
+      constexpr double about = 1.17, aFewMore = 1.02;
+      if (bound != bounds.begin() &&
+        (bound[-1] * count() > about * bounds.back() * target ||
+          (bound + 1 == bounds.end() && count() > aFewMore * target)))
       {
         break;
       }

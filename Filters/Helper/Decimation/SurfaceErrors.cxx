@@ -28,7 +28,7 @@ SurfaceErrors::SurfaceErrors(const SurfaceMesh& surface, const FaceDistance<3>& 
   this->AddPlanes();
 }
 
-/** Adds the plane of each face to the quadrics of its vertices, weighted by area. Sums the areas. */
+/** Adds the planes of faces to the quadrics of their vertices, weighted by area. Sums the areas. */
 void SurfaceErrors::AddPlanes()
 {
   for (const Face face : this->Surface.faces())

@@ -151,8 +151,8 @@ TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
   }
 }
 
-// A face is within every bound that is not below its distance, and within no other.
-TEST(FaceDistance, KnowsWhatIsWithinABound)
+// A point beyond a bound is found where there is one, and not where there is none.
+TEST(FaceDistance, FindsWhatIsFartherThanABound)
 {
   std::mt19937_64 random(8);
   const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
@@ -163,9 +163,12 @@ TEST(FaceDistance, KnowsWhatIsWithinABound)
     constexpr int manyQueries = 100000;
     const auto bound = distance.Compute(face, manyQueries);
     ASSERT_TRUE(bound.Final);
-    EXPECT_TRUE(distance.IsWithin(face, 1.01 * bound.Upper, manyQueries));
-    EXPECT_FALSE(distance.IsWithin(face, 0.99 * bound.Lower, manyQueries));
-    EXPECT_FALSE(distance.IsWithin(face, 0.99 * bound.Lower, 1));
+    EXPECT_EQ(distance.FindFarther(face, 1.01 * bound.Upper, manyQueries), 0.0);
+    const double below = 0.99 * bound.Lower;
+    const double farther = distance.FindFarther(face, below, manyQueries);
+    EXPECT_GT(farther, below);
+    EXPECT_LE(farther, bound.Upper);
+    EXPECT_GE(distance.FindFarther(face, below, 1), below); // the bound if one query is too few
   }
 }
 

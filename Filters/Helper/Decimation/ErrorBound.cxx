@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/ErrorBound.h"
+
+#include <algorithm>
+
+namespace carving::helper
+{
+namespace
+{
+
+/** Queries for the distance of a face. */
+constexpr int MostQueries = 64;
+
+} // namespace
+
+ErrorBound::ErrorBound(const FaceDistance<3>& fromM, std::size_t numberOfEdges)
+  : FromM(fromM)
+  , Excesses(numberOfEdges, 0.0)
+{
+}
+
+bool ErrorBound::Raise(double bound)
+{
+  const bool rises = bound > this->Bound;
+  this->Bound = std::max(this->Bound, bound);
+  return rises;
+}
+
+bool ErrorBound::Allows(SurfaceMesh::Edge_index edge, const Star& star, const Point& w)
+{
+  const double excess = this->FindExcess(star, w);
+  double& least = this->Excesses[edge];
+  if (excess > 0.0)
+  {
+    least = least > 0.0 ? std::min(least, excess) : excess;
+  }
+  return excess == 0.0;
+}
+
+void ErrorBound::ForgetAll()
+{
+  std::fill(this->Excesses.begin(), this->Excesses.end(), 0.0);
+}
+
+/** The distance of a point of the new faces that is too large, or 0 if there is none. */
+double ErrorBound::FindExcess(const Star& star, const Point& w) const
+{
+  if (this->Bound == std::numeric_limits<double>::infinity())
+  {
+    return 0.0;
+  }
+  double excess = this->FromM.OfPoint(w);
+  if (excess > this->Bound)
+  {
+    return excess;
+  }
+  for (const auto& [a, b] : star.Link)
+  {
+    excess = this->FromM.FindFarther({ a, b, w }, this->Bound, MostQueries);
+    if (excess > 0.0)
+    {
+      return excess;
+    }
+  }
+  return 0.0;
+}
+
+} // namespace carving::helper

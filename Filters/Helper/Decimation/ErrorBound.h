@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The distance from M that collapses may not exceed.
+ */
+#ifndef carving_ErrorBound_h
+#define carving_ErrorBound_h
+
+#include "Core/Mesh/FaceDistance.h"
+#include "Helper/Decimation/SurfaceMesh.h"
+
+#include <limits>
+#include <vector>
+
+namespace carving::helper
+{
+
+/**
+ * A bound that rises, and for each edge that cannot collapse within the bound the distance that was
+ * in the way. Below this distance, another attempt would end alike and takes long.
+ */
+class ErrorBound
+{
+public:
+  /** `fromM` must outlive this object. The bound is 0 at first. */
+  ErrorBound(const FaceDistance<3>& fromM, std::size_t numberOfEdges);
+
+  double Get() const
+  {
+    return this->Bound;
+  }
+
+  /** Returns false if the last bound was greater. Then it stays. */
+  bool Raise(double bound);
+
+  /** Whether no new face of a star with w in the middle is farther. */
+  bool Allows(const Star& star, const Point& w) const
+  {
+    return this->FindExcess(star, w) == 0.0;
+  }
+
+  /** The same for an attempt to collapse an edge. Keeps the distance that is in the way. */
+  bool Allows(SurfaceMesh::Edge_index edge, const Star& star, const Point& w);
+
+  /** Whether another attempt may succeed, if the faces around the edge have not changed. */
+  bool MayAllow(SurfaceMesh::Edge_index edge) const
+  {
+    return this->Excesses[edge] < this->Bound;
+  }
+
+  /** Forgets what was in the way of an edge, which is tried again. */
+  void Forget(SurfaceMesh::Edge_index edge)
+  {
+    this->Excesses[edge] = 0.0;
+  }
+
+  /** Forgets all: edges may collapse in new ways. */
+  void ForgetAll();
+
+private:
+  double FindExcess(const Star& star, const Point& w) const;
+
+  const FaceDistance<3>& FromM;
+  double Bound = 0.0;
+  std::vector<double> Excesses; ///< per edge: the least distance that was too large, or 0
+};
+
+} // namespace carving::helper
+
+#endif

@@ -8,78 +8,78 @@
 #include <gtest/gtest.h>
 
 using namespace carving;
-using helper::ErrorBound;
+using helper::SurfaceMesh;
+using helper::Vertex;
 
 namespace
 {
 
-/** A tetrahedron as M and as the surface around M, and the edge up the z-axis. */
-struct Surface
+ResolvedMesh MakeTetrahedron()
 {
-  ResolvedMesh M;
-  helper::SurfaceMesh Mesh;
-  helper::HalfEdge Edge;
+  ResolvedMesh mesh;
+  mesh.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  mesh.Facets = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  return mesh;
+}
 
-  Surface()
+SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
+{
+  SurfaceMesh surface;
+  for (const Point& p : mesh.Points)
   {
-    this->M.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-    this->M.Facets = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
-    for (const Point& p : this->M.Points)
-    {
-      this->Mesh.add_vertex(p);
-    }
-    using helper::Vertex;
-    for (const auto& [a, b, c] : this->M.Facets)
-    {
-      this->Mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
-    }
-    this->Edge = this->Mesh.halfedge(Vertex(0), Vertex(3));
+    surface.add_vertex(p);
   }
+  for (const auto& [a, b, c] : mesh.Facets)
+  {
+    surface.add_face(Vertex(a), Vertex(b), Vertex(c));
+  }
+  return surface;
+}
+
+/** A tetrahedron as M and as the surface around M, and the star of the edge up the z-axis. */
+class ErrorBound : public testing::Test
+{
+protected:
+  const ResolvedMesh M = MakeTetrahedron();
+  const SurfaceMesh Surface = AsSurfaceMesh(this->M);
+  const helper::HalfEdge HalfEdge = this->Surface.halfedge(Vertex(0), Vertex(3));
+  const SurfaceMesh::Edge_index Edge = this->Surface.edge(this->HalfEdge);
+  const helper::Star Star{ this->Surface, this->HalfEdge };
+  const FaceDistance<3> FromM{ this->M };
+  helper::ErrorBound Bound{ this->FromM, this->Surface.num_edges() };
 };
 
 } // namespace
 
 // The bound never falls.
-TEST(ErrorBound, OnlyRises)
+TEST_F(ErrorBound, OnlyRises)
 {
-  const Surface surface;
-  const FaceDistance<3> fromM(surface.M);
-  ErrorBound bound(fromM, surface.Mesh.num_edges());
-  EXPECT_TRUE(bound.Raise(0.5));
-  EXPECT_FALSE(bound.Raise(0.3));
-  EXPECT_EQ(bound.Get(), 0.5);
+  EXPECT_TRUE(this->Bound.Raise(0.5));
+  EXPECT_FALSE(this->Bound.Raise(0.3));
+  EXPECT_EQ(this->Bound.Get(), 0.5);
 }
 
 // Only faces within the bound are allowed.
-TEST(ErrorBound, AllowsFacesWithin)
+TEST_F(ErrorBound, AllowsFacesWithin)
 {
-  const Surface surface;
-  const FaceDistance<3> fromM(surface.M);
-  ErrorBound bound(fromM, surface.Mesh.num_edges());
-  bound.Raise(0.5);
-  const helper::Star star(surface.Mesh, surface.Edge);
-  EXPECT_TRUE(bound.Allows(star, { 0, 0, 1.4 }));
-  EXPECT_FALSE(bound.Allows(star, { 0, 0, 1.6 }));
+  this->Bound.Raise(0.5);
+  EXPECT_TRUE(this->Bound.Allows(this->Star, { 0, 0, 1.4 }));
+  EXPECT_FALSE(this->Bound.Allows(this->Star, { 0, 0, 1.6 }));
 }
 
 // An edge waits for a bound above the distance that was in the way, or is forgotten.
-TEST(ErrorBound, SparesAttemptsThatWouldFail)
+TEST_F(ErrorBound, SparesAttemptsThatWouldFail)
 {
-  const Surface surface;
-  const FaceDistance<3> fromM(surface.M);
-  ErrorBound bound(fromM, surface.Mesh.num_edges());
-  bound.Raise(0.5);
-  const helper::Star star(surface.Mesh, surface.Edge);
-  const auto edge = surface.Mesh.edge(surface.Edge);
-  EXPECT_TRUE(bound.MayAllow(edge));
-  EXPECT_FALSE(bound.Allows(edge, star, { 0, 0, 2 })); // 1 from M
-  EXPECT_FALSE(bound.Allows(edge, star, { 0, 0, 3 }));
-  EXPECT_FALSE(bound.MayAllow(edge));
-  bound.Raise(0.9);
-  EXPECT_FALSE(bound.MayAllow(edge));
-  bound.Forget(edge);
-  EXPECT_TRUE(bound.MayAllow(edge));
-  EXPECT_FALSE(bound.Allows(edge, star, { 0, 0, 2 }));
-  bound.Raise(1.1);
-  EXPECT_TRUE(bound.MayAllow(edge));
+  this->Bound.Raise(0.5);
+  EXPECT_TRUE(this->Bound.MayAllow(this->Edge));
+  EXPECT_FALSE(this->Bound.Allows(this->Edge, this->Star, { 0, 0, 2 })); // 1 from M
+  EXPECT_FALSE(this->Bound.Allows(this->Edge, this->Star, { 0, 0, 3 }));
+  EXPECT_FALSE(this->Bound.MayAllow(this->Edge));
+  this->Bound.Raise(0.9);
+  EXPECT_FALSE(this->Bound.MayAllow(this->Edge));
+  this->Bound.Forget(this->Edge);
+  EXPECT_TRUE(this->Bound.MayAllow(this->Edge));
+  EXPECT_FALSE(this->Bound.Allows(this->Edge, this->Star, { 0, 0, 2 }));
+  this->Bound.Raise(1.1);
+  EXPECT_TRUE(this->Bound.MayAllow(this->Edge));
 }

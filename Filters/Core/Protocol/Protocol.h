@@ -47,11 +47,11 @@ enum class DecimationTarget : int
 /** The options of JobKind::Decimate. */
 struct DecimationOptions
 {
-  /** At most so many vertices: decimating a surface takes about a second, so that more is tried. */
+  /** A surface of at most so many vertices is decimated in about a second. More steps are tried. */
   static constexpr int FewVertices = 5000;
   /**
-   * More vertices: surfaces are so close to the mesh that measuring distances and moving vertices
-   * after the collapses are not worth the time.
+   * A surface of more vertices is close to the mesh. Measuring distances and moving vertices after
+   * the collapses are not worth the time.
    */
   static constexpr int ManyVertices = 20000;
 

@@ -153,6 +153,7 @@ void Decimator::Try(HalfEdge edge)
     return; // an edge of a facet with two sides
   }
   const std::optional<Point> known = this->Queue.GetPosition(this->Surface.edge(edge));
+  // Known positions are within the error bound, which only rises.
   if (known && this->KeepsTopology(edge) && this->IsValid(attempt.Around, *known))
   {
     this->Collapse(attempt, *known);
@@ -231,7 +232,10 @@ void Decimator::CollapseOrDefer(
   }
 }
 
-/** The first valid position within the error bound on the way from `end`, which is, to `start`. */
+/**
+ * The first valid position on the way from `end` to `start` that is within the error bound. `end`
+ * has to be within the bound.
+ */
 std::optional<Point> Decimator::FindValid(
   const Attempt& attempt, const Point& start, const Point& end)
 {

@@ -50,23 +50,6 @@ std::string Prepare(const TriangleMesh& given, ResolvedMesh& surface)
   return MakeClosedSurface(surface);
 }
 
-SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
-{
-  SurfaceMesh surface;
-  surface.reserve(static_cast<SurfaceMesh::size_type>(mesh.Points.size()),
-    static_cast<SurfaceMesh::size_type>(3 * mesh.Facets.size() / 2),
-    static_cast<SurfaceMesh::size_type>(mesh.Facets.size()));
-  for (const Point& p : mesh.Points)
-  {
-    surface.add_vertex(p);
-  }
-  for (const auto& [a, b, c] : mesh.Facets)
-  {
-    surface.add_face(Vertex(a), Vertex(b), Vertex(c));
-  }
-  return surface;
-}
-
 /** Hands on the history in terms of the given surface. */
 void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& result)
 {

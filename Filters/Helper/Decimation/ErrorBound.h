@@ -16,8 +16,9 @@ namespace carving::helper
 {
 
 /**
- * A bound that rises, and for each edge that cannot collapse within the bound the distance that was
- * in the way. Below this distance, another attempt would end alike and takes long.
+ * A bound that rises. For each edge that cannot collapse within the bound, this object keeps the
+ * distance that was too large: up to this distance, another attempt would fail again, which takes
+ * long.
  */
 class ErrorBound
 {
@@ -39,7 +40,7 @@ public:
     return this->FindExcess(star, w) == 0.0;
   }
 
-  /** The same for an attempt to collapse an edge. Keeps the distance that is in the way. */
+  /** The same for an attempt to collapse an edge. Keeps the distance that is too large. */
   bool Allows(SurfaceMesh::Edge_index edge, const Star& star, const Point& w);
 
   /** Whether another attempt may succeed, if the faces around the edge have not changed. */
@@ -48,13 +49,13 @@ public:
     return this->Excesses[edge] < this->Bound;
   }
 
-  /** Forgets what was in the way of an edge, which is tried again. */
+  /** Forgets the distance of an edge, which is tried again. */
   void Forget(SurfaceMesh::Edge_index edge)
   {
     this->Excesses[edge] = 0.0;
   }
 
-  /** Forgets all: edges may collapse in new ways. */
+  /** Forgets the distances of all edges, which may now collapse in new ways. */
   void ForgetAll();
 
 private:

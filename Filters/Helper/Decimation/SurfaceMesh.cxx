@@ -17,6 +17,23 @@ HalfEdge RotatedAroundSource(const SurfaceMesh& mesh, HalfEdge h)
 
 } // namespace
 
+SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
+{
+  SurfaceMesh surface;
+  surface.reserve(static_cast<SurfaceMesh::size_type>(mesh.Points.size()),
+    static_cast<SurfaceMesh::size_type>(3 * mesh.Facets.size() / 2),
+    static_cast<SurfaceMesh::size_type>(mesh.Facets.size()));
+  for (const Point& p : mesh.Points)
+  {
+    surface.add_vertex(p);
+  }
+  for (const auto& [a, b, c] : mesh.Facets)
+  {
+    surface.add_face(Vertex(a), Vertex(b), Vertex(c));
+  }
+  return surface;
+}
+
 std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face)
 {
   const HalfEdge h = mesh.halfedge(face);

@@ -7,6 +7,7 @@
 #define carving_SurfaceMesh_h
 
 #include "Core/Mesh/BoxTree.h"
+#include "Core/Mesh/Mesh.h"
 #include "Helper/Decimation/FirstContact.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -21,6 +22,9 @@ using SurfaceMesh = CGAL::Surface_mesh<Point>;
 using Vertex = SurfaceMesh::Vertex_index;
 using HalfEdge = SurfaceMesh::Halfedge_index;
 using Face = SurfaceMesh::Face_index;
+
+/** A closed surface as a mesh with the same indices of points and facets. */
+SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh);
 
 /** The corners of a face, counter-clockwise as seen from the outside. */
 std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face);

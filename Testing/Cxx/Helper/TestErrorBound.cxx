@@ -4,6 +4,8 @@
  * The bound of the distance of faces that collapses make.
  */
 #include "Helper/Decimation/ErrorBound.h"
+#include "Helper/Resolve/Clean.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,34 +16,12 @@ using helper::Vertex;
 namespace
 {
 
-ResolvedMesh MakeTetrahedron()
-{
-  ResolvedMesh mesh;
-  mesh.Points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  mesh.Facets = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
-  return mesh;
-}
-
-SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh)
-{
-  SurfaceMesh surface;
-  for (const Point& p : mesh.Points)
-  {
-    surface.add_vertex(p);
-  }
-  for (const auto& [a, b, c] : mesh.Facets)
-  {
-    surface.add_face(Vertex(a), Vertex(b), Vertex(c));
-  }
-  return surface;
-}
-
 /** A tetrahedron as M and as the surface around M, and the star of the edge up the z-axis. */
 class ErrorBound : public testing::Test
 {
 protected:
-  const ResolvedMesh M = MakeTetrahedron();
-  const SurfaceMesh Surface = AsSurfaceMesh(this->M);
+  const ResolvedMesh M = helper::AsResolved(models::Tetrahedron());
+  const SurfaceMesh Surface = helper::AsSurfaceMesh(this->M);
   const helper::HalfEdge HalfEdge = this->Surface.halfedge(Vertex(0), Vertex(3));
   const SurfaceMesh::Edge_index Edge = this->Surface.edge(this->HalfEdge);
   const helper::Star Star{ this->Surface, this->HalfEdge };

@@ -12,13 +12,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataObjectWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <atomic>
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -35,14 +39,21 @@ bool Save(const std::string& fileName, vtkXMLWriter* writer)
   return !file.fail();
 }
 
-/** Saves the files of all blocks in the same way. */
+/** A data set and the name of its file. */
+struct Leaf
+{
+  std::string FileName;
+  vtkSmartPointer<vtkDataObject> Data;
+};
+
+/** Writes the tree alone, and lists the leaves. */
 class MultiBlockWriter : public vtkXMLMultiBlockDataWriter
 {
 public:
   static MultiBlockWriter* New();
   vtkTypeMacro(MultiBlockWriter, vtkXMLMultiBlockDataWriter);
 
-  bool AllSaved = true;
+  std::vector<Leaf> Leaves;
 
 protected:
   int WriteNonCompositeData(
@@ -52,11 +63,10 @@ protected:
     {
       return this->Superclass::WriteNonCompositeData(block, element, index, fileName);
     }
-    vtkXMLWriter* writer = this->GetWriter(index);
-    writer->WriteToOutputStringOn();
-    const int written = this->Superclass::WriteNonCompositeData(block, element, index, fileName);
-    this->AllSaved = Save(std::string(this->GetFilePath()) + fileName, writer) && this->AllSaved;
-    return written;
+    element->SetAttribute("file", fileName);
+    this->Leaves.push_back({ std::string(this->GetFilePath()) + fileName, block });
+    ++index;
+    return 1;
   }
 };
 vtkStandardNewMacro(MultiBlockWriter);
@@ -94,12 +104,26 @@ bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject*
   return writer->Write() != 0 && !writer->GetOutputString().empty() && Save(fileName, writer);
 }
 
-/** Writes a leaf in the format of its type. */
-bool WriteLeaf(const std::string& fileName, vtkDataObject* leaf)
+/** Writes leaves, each in the format of its type, several at a time. */
+bool WriteLeaves(const std::vector<Leaf>& leaves)
 {
-  vtkSmartPointer<vtkXMLWriter> writer;
-  writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(leaf->GetDataObjectType()));
-  return WriteWith(writer, fileName, leaf);
+  const vtkIdType count = static_cast<vtkIdType>(leaves.size());
+  std::atomic<bool> good(true);
+  vtkSMPTools::For(0, count, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end && good; ++i)
+      {
+        const Leaf& leaf = leaves[count - 1 - i]; // the last levels are the largest
+        vtkSmartPointer<vtkXMLWriter> writer;
+        writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(leaf.Data->GetDataObjectType()));
+        if (!WriteWith(writer, leaf.FileName, leaf.Data))
+        {
+          good = false;
+        }
+      }
+    });
+  return good;
 }
 
 vtkXMLDataElement* AddElement(vtkXMLDataElement* parent, const char* name)
@@ -139,11 +163,11 @@ bool WriteCollection(const std::string& fileName, vtkMultiBlockDataSet* tree)
   root->SetAttribute("type", "vtkPartitionedDataSetCollection");
   root->SetAttribute("version", "1.0");
   vtkXMLDataElement* content = AddElement(root, "vtkPartitionedDataSetCollection");
-  bool good = static_cast<bool>(vtksys::SystemTools::MakeDirectory(folder));
-  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets() && good; ++i)
+  std::vector<Leaf> leaves;
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
   {
     const std::string leaf = stem + "_" + std::to_string(i) + ".vtp";
-    good = WriteLeaf(folder + "/" + leaf, collection->GetPartition(i, 0));
+    leaves.push_back({ folder + "/" + leaf, collection->GetPartition(i, 0) });
     vtkXMLDataElement* partitions = AddElement(content, "Partitions");
     partitions->SetIntAttribute("index", static_cast<int>(i));
     partitions->SetAttribute("name", collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
@@ -155,7 +179,7 @@ bool WriteCollection(const std::string& fileName, vtkMultiBlockDataSet* tree)
   std::ofstream file(fileName, std::ios::binary);
   root->PrintXML(file, vtkIndent());
   file.close();
-  return good && !file.fail();
+  return vtksys::SystemTools::MakeDirectory(folder) && WriteLeaves(leaves) && !file.fail();
 }
 
 } // namespace
@@ -169,7 +193,7 @@ bool XmlFile::Write(const std::string& fileName, vtkDataObject* data)
   if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(data))
   {
     vtkNew<MultiBlockWriter> writer;
-    return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && writer->AllSaved;
+    return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && WriteLeaves(writer->Leaves);
   }
-  return WriteLeaf(fileName, data);
+  return WriteLeaves({ { fileName, data } });
 }

@@ -22,6 +22,7 @@
 #include "vtkLogger.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTopologyCarver.h"
@@ -192,6 +193,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   report.Clock.Record("read");
   carver->SetInputDataObject(0, input);
   SetProperties(options, carver);
+  vtkSMPTools::Initialize(carver->GetNumberOfThreads()); // files are written by as many
   carver->ReuseDecompositionOff();
   ShowProgressOf(carver);
   carver->Update();

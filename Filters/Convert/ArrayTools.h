@@ -7,6 +7,7 @@
 #define ArrayTools_h
 
 #include "Core/Mesh/LargePages.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -19,8 +20,23 @@ template <class ArrayType>
 void SetSize(ArrayType* array, vtkIdType tuples)
 {
   array->SetNumberOfTuples(tuples);
-  carving::UseLargePages(array->GetVoidPointer(0),
+  carving::ProvidePages(array->GetVoidPointer(0),
     static_cast<std::size_t>(array->GetNumberOfValues()) * array->GetDataTypeSize());
+}
+
+/** Provides the pages of arrays that have been allocated for a number of tuples. */
+inline void ProvidePagesOf(vtkFieldData* arrays, vtkIdType tuples)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i);
+    if (array && array->HasStandardMemoryLayout())
+    {
+      carving::ProvidePages(array->GetVoidPointer(0),
+        static_cast<std::size_t>(tuples) * array->GetNumberOfComponents() *
+          array->GetDataTypeSize());
+    }
+  }
 }
 
 template <class ArrayType>

@@ -2,6 +2,7 @@
 #include "Convert/CarverInput.h"
 
 #include "Convert/InputCells.h"
+#include "Core/Mesh/LargePages.h"
 #include "vtkContourTriangulator.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -96,7 +97,9 @@ std::string CarverInput::Gather(vtkPolyData* input)
   {
     return {};
   }
-  this->Mesh.Points.resize(input->GetNumberOfPoints());
+  this->Mesh.Points = carving::MakeLarge<carving::Point>(input->GetNumberOfPoints());
+  carving::ReserveLarge(this->Mesh.Triangles, input->GetNumberOfPolys()); // at least
+  carving::ReserveLarge(this->CellIds, input->GetNumberOfPolys());
   for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
   {
     input->GetPoint(i, this->Mesh.Points[i].data());

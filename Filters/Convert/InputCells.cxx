@@ -2,6 +2,7 @@
 #include "Convert/InputCells.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Vector.h"
 
 #include <cmath>
@@ -89,6 +90,7 @@ std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> 
     return mistake;
   }
   std::vector<carving::Point> points;
+  carving::ReserveLarge(points, used.size());
   for (vtkIdType i = 0; i < static_cast<vtkIdType>(used.size()); ++i)
   {
     if (used[i])

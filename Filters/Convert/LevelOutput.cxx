@@ -4,6 +4,7 @@
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
 #include "Convert/CellArrays.h"
+#include "Core/Mesh/LargePages.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 #include "vtkCellArray.h"
@@ -34,6 +35,7 @@ void CopyTuples(vtkDataSetAttributes* from, vtkIdList* ids, vtkDataSetAttributes
   std::iota(all->begin(), all->end(), 0);
   to->CopyAllOn();
   to->CopyAllocate(from, count);
+  ProvidePagesOf(to, count);
   to->CopyData(from, ids, all);
 }
 
@@ -207,6 +209,7 @@ void FillLevel(const carving::StoredStream<D>& stream, const carving::Profile& p
     manifold ? carving::CutIntoManifold(stream, level) : carving::KeepUncut(level);
   const int newVertices = FillStreamPoints<D>(stream.Mesh.Surface, cut.Points, grid, output);
   std::vector<int> cells;
+  carving::ReserveLarge(cells, level.Faces.size());
   for (const carving::FaceLife<D>& face : level.Faces)
   {
     cells.push_back(carving::CellWithDataOf(stream, face));

@@ -5,6 +5,7 @@
  * Protocol.h. The exit code is 0 if there is a reply, even one with an error, and 2 if there is
  * none.
  */
+#include "Core/Mesh/LargePages.h"
 #include "Core/Protocol/Protocol.h"
 #include "Core/Protocol/SecondsSince.h"
 #include "Core/Solid/DropSolid.h"
@@ -18,6 +19,7 @@
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -182,14 +184,12 @@ bool DoJob(const Job& job, Reply& reply, const std::function<bool()>& write)
 /** Returns an empty string, or an error. */
 std::string ReadJob(const HostLink& link, Job& job)
 {
-  std::ifstream in(link.JobPath, std::ios::binary);
-  std::string input;
-  std::vector<char> chunk(1 << 20);
-  while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0)
-  {
-    input.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  return Read(input.data(), input.size(), job);
+  std::ifstream in(link.JobPath, std::ios::binary | std::ios::ate);
+  const std::streamoff size = std::max<std::streamoff>(in.tellg(), 0); // -1 if there is no file
+  std::vector<char> input = MakeLarge<char>(static_cast<std::size_t>(size));
+  in.seekg(0);
+  in.read(input.data(), size);
+  return Read(input.data(), static_cast<std::size_t>(in.gcount()), job);
 }
 
 /** Writes the reply, over any that a child process whose work failed has written. */

@@ -47,8 +47,7 @@ public:
   {
     this->PrepareCells();
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
-    this->Out.StepPriority.assign(1, NaN);
-    std::vector<CellState> states(numberOfCells, CellState::Carvable);
+    std::vector<CellState> states = MakeLarge(numberOfCells, CellState::Carvable);
     std::vector<Candidate> seeds(regions.Regions.size(), { -1.0, -1 });
     for (int cell = 0; cell < numberOfCells; ++cell)
     {
@@ -73,6 +72,8 @@ public:
         }
       }
     }
+    ReserveAtMost(this->Out.StepPriority, this->NumberToCarve + 1);
+    this->Out.StepPriority.assign(1, NaN);
     for (const Candidate& seed : seeds)
     {
       if (seed.Cell >= 0)

@@ -36,17 +36,18 @@ public:
   EulerCharacteristics(const Decomposition<D>& mesh, const Stream& stream)
     : Mesh(mesh)
     , Step(stream.Step)
-    , Changes(stream.LastStep() + 1, 0)
+    , Changes(MakeLarge<int>(stream.LastStep() + 1))
     , IsOfSurface(mesh.Surface.Points.size(), 0)
-    , VertexEnds(mesh.Surface.Points.size(), 0)
+    , VertexEnds(MakeLarge<int>(mesh.Surface.Points.size()))
   {
   }
 
   std::vector<int> Compute()
   {
     this->Changes[0] = 1; // C0 is a ball
-    // Most cells record at most one edge.
-    ReserveLarge(this->EdgeEnds, 3 * this->Mesh.Surface.Facets.size() + this->Mesh.Cells.size());
+    // Most cells record one edge.
+    ReserveAtMost(
+      this->EdgeEnds, 3 * this->Mesh.Surface.Facets.size() + 3 * this->Mesh.Cells.size() / 2);
     for (const auto& facet : this->Mesh.Surface.Facets)
     {
       this->AddSurfaceFacet(facet);
@@ -171,7 +172,7 @@ private:
       });
     // Per other vertex: the last vertex that it shared an edge with, and the edge's entry in
     // `steps`.
-    std::vector<std::pair<int, int>> last(this->Mesh.Surface.Points.size(), { -1, 0 });
+    auto last = MakeLarge<std::pair<int, int>>(this->Mesh.Surface.Points.size(), { -1, 0 });
     std::vector<int> steps;
     for (int vertex = 0; vertex < ends.GetNumberOfBuckets(); ++vertex)
     {

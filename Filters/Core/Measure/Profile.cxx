@@ -2,6 +2,7 @@
 #include "Core/Measure/Profile.h"
 
 #include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/LargePages.h"
 
 #include <cmath>
 #include <limits>
@@ -66,7 +67,7 @@ private:
 template <int D>
 void SetVolumes(Profile& profile, const StoredStream<D>& stream, double left)
 {
-  profile.Volume.assign(stream.Order.StepPriority.size(), 0.0);
+  profile.Volume = MakeLarge<double>(stream.Order.StepPriority.size());
   for (std::size_t cell = 0; cell < stream.Mesh.Cells.size(); ++cell)
   {
     const int step = stream.Order.Step[cell];
@@ -87,12 +88,12 @@ template <int D>
 Profile ComputeProfile(const StoredStream<D>& stream)
 {
   Profile profile;
-  profile.Vertices.assign(stream.Order.StepPriority.size(), 0);
-  profile.Triangles.assign(stream.Order.StepPriority.size(), 0);
+  profile.Vertices = MakeLarge<int>(stream.Order.StepPriority.size());
+  profile.Triangles = MakeLarge<int>(stream.Order.StepPriority.size());
   // A vertex is part of C_j if some face around it is.
   const std::size_t numberOfPoints = stream.Mesh.Surface.Points.size();
-  std::vector<int> birth(numberOfPoints, Stream::Never);
-  std::vector<int> death(numberOfPoints, 0);
+  std::vector<int> birth = MakeLarge<int>(numberOfPoints, Stream::Never);
+  std::vector<int> death = MakeLarge<int>(numberOfPoints);
   BoundedVolume left(stream.Mesh.Surface.Points.front());
   ForEachFace(stream,
     [&](const FaceLife<D>& face)
@@ -127,6 +128,7 @@ void SetPriorities(
 {
   profile.Priority = stepPriorities;
   profile.FeatureSize.clear();
+  ReserveLarge(profile.FeatureSize, stepPriorities.size());
   double smallest = std::numeric_limits<double>::infinity();
   for (const double priority : stepPriorities)
   {

@@ -5,6 +5,7 @@
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/Fetch.h"
+#include "Core/Mesh/LargePages.h"
 
 #include <algorithm>
 #include <numeric>
@@ -55,7 +56,7 @@ public:
   /** Per vertex: the number of its component, or -1 if it is in none. */
   std::vector<int> GetLabels()
   {
-    std::vector<int> labels(this->Present.size(), -1);
+    std::vector<int> labels = MakeLarge<int>(this->Present.size(), -1);
     for (int vertex = 0; vertex < static_cast<int>(labels.size()); ++vertex)
     {
       labels[vertex] = this->Present[vertex] ? this->Sets.Find(vertex) : -1;
@@ -137,7 +138,7 @@ std::vector<int> CountComponents(
       }
     });
   const std::vector<int>& sorted = byStep.GetItems();
-  std::vector<int> counts(stream.LastStep() + 1);
+  std::vector<int> counts = MakeLarge<int>(stream.LastStep() + 1);
   constexpr int ahead = 16; // cells are scattered in memory and are prefetched
   auto next = sorted.rbegin();
   for (int step = stream.LastStep(); step >= 0; --step)
@@ -164,7 +165,7 @@ std::vector<int> CountVoids(const Classification& regions, const Stream& stream)
     int& first = opening[regions.RegionOfCell[cell]];
     first = std::min(first, stream.Step[cell]);
   }
-  std::vector<int> counts(stream.LastStep() + 1, 0);
+  std::vector<int> counts = MakeLarge<int>(stream.LastStep() + 1);
   for (std::size_t region = 0; region < opening.size(); ++region)
   {
     if (regions.Regions[region].Kind == RegionKind::Void && opening[region] != Stream::Never)

@@ -8,4 +8,8 @@ void UseLargePages(void*, std::size_t)
 {
 }
 
+void ProvidePages(void*, std::size_t)
+{
+}
+
 } // namespace carving

@@ -2,6 +2,7 @@
 #include "Core/Surface/FacePairs.h"
 
 #include "Core/Mesh/Buckets.h"
+#include "Core/Mesh/LargePages.h"
 
 #include <algorithm>
 #include <iterator>
@@ -21,7 +22,7 @@ public:
     , Mesh(stream.Mesh)
     , Shown(level)
   {
-    this->Pairs.Partner.assign(D * level.Faces.size(), -1);
+    this->Pairs.Partner = MakeLarge<int>(D * level.Faces.size(), -1);
   }
 
   FacePairs Run()

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/LargePages.h"
 #include "Core/Surface/FacePairs.h"
 
 #include <algorithm>
@@ -59,7 +60,7 @@ private:
         sets.Unite(corner, this->CornerAt(partner, vertex));
       }
     }
-    this->FanOfCorner.resize(numberOfCorners);
+    this->FanOfCorner = MakeLarge<int>(numberOfCorners);
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
       this->FanOfCorner[corner] = sets.Find(corner);
@@ -182,7 +183,7 @@ private:
   {
     const int numberOfCorners = static_cast<int>(this->Pairs.Partner.size());
     std::vector<int> firsts; // one corner per vertex
-    std::vector<char> isNumbered(this->NumberOfFans, 0);
+    std::vector<char> isNumbered = MakeLarge<char>(this->NumberOfFans);
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
       char& known = isNumbered[this->FanOfCorner[corner]];
@@ -203,13 +204,14 @@ private:
         }
       });
     ManifoldLevel<D> result;
-    std::vector<int> vertexOfFan(this->NumberOfFans, -1);
+    std::vector<int> vertexOfFan = MakeLarge<int>(this->NumberOfFans, -1);
+    ReserveLarge(result.Points, firsts.size());
     for (const int first : sorted.GetItems())
     {
       vertexOfFan[this->FanOfCorner[first]] = static_cast<int>(result.Points.size());
       result.Points.push_back(pointOf(first));
     }
-    result.Faces.resize(this->Shown.Faces.size());
+    result.Faces = MakeLarge<std::array<int, D>>(this->Shown.Faces.size());
     for (int corner = 0; corner < numberOfCorners; ++corner)
     {
       result.Faces[corner / D][corner % D] = vertexOfFan[this->FanOfCorner[corner]];

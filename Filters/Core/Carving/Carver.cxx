@@ -10,6 +10,7 @@
 #include <cmath>
 #include <memory>
 #include <queue>
+#include <utility>
 
 namespace carving
 {
@@ -47,6 +48,9 @@ public:
   {
     this->PrepareCells();
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
+    std::vector<Candidate> candidates;
+    ReserveAtMost(candidates, numberOfCells);
+    this->Queue = decltype(this->Queue)({}, std::move(candidates));
     std::vector<CellState> states = MakeLarge(numberOfCells, CellState::Carvable);
     std::vector<Candidate> seeds(regions.Regions.size(), { -1.0, -1 });
     for (int cell = 0; cell < numberOfCells; ++cell)

@@ -122,6 +122,7 @@ std::vector<int> CountComponents(
     return within;
   };
   std::vector<int> joining;
+  ReserveAtMost(joining, mesh.Cells.size());
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     if (stream.Step[cell] != Stream::Never && !isWithinOne(mesh.Cells[cell]))

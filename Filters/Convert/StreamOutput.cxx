@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -113,7 +114,7 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
 } // namespace
 
 template <int D>
-void FillStream(const StoredStream<D>& stream, const carving::Profile& profile, vtkPolyData* input,
+void FillStream(const StoredStream<D>& stream, vtkPolyData* input,
   const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output)
 {
   FillPoints(stream.Mesh.Surface, input, output);
@@ -123,23 +124,12 @@ void FillStream(const StoredStream<D>& stream, const carving::Profile& profile, 
   AddFieldValue<vtkIntArray>(fieldData, StreamArrays::Measure, static_cast<int>(stream.Measure));
   AddFieldValue<vtkIntArray>(
     fieldData, StreamArrays::BothFoldSides, stream.Folds == carving::FoldSides::Both);
-  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVertices, profile.Vertices);
-  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileTriangles, profile.Triangles);
-  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileComponents, profile.Components);
-  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileTunnels, profile.Tunnels);
-  AddFieldArray<vtkIntArray>(fieldData, StreamArrays::ProfileVoids, profile.Voids);
-  AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfileVolume, profile.Volume);
-  AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfilePriority, profile.Priority);
-  if (!profile.Error.empty())
-  {
-    AddFieldArray<vtkDoubleArray>(fieldData, StreamArrays::ProfileError, profile.Error);
-  }
 }
 
-template void FillStream<2>(const StoredStream<2>&, const carving::Profile&, vtkPolyData*,
-  const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
-template void FillStream<3>(const StoredStream<3>&, const carving::Profile&, vtkPolyData*,
-  const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+template void FillStream<2>(
+  const StoredStream<2>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+template void FillStream<3>(
+  const StoredStream<3>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
 
 void FillProfile(const carving::Profile& profile, vtkTable* output)
 {
@@ -156,4 +146,27 @@ void FillProfile(const carving::Profile& profile, vtkTable* output)
   AddFieldArray<vtkDoubleArray>(columns, ProfileArrays::Volume, profile.Volume);
   AddFieldArray<vtkDoubleArray>(columns, LevelArrays::Error,
     profile.Error.empty() ? std::vector<double>(profile.Vertices.size(), NaN) : profile.Error);
+}
+
+void AddProfile(vtkTable* profile, bool withErrors, vtkFieldData* fieldData)
+{
+  const auto add = [&](const char* column, const char* name)
+  {
+    vtkDataArray* values = profile->GetRowData()->GetArray(column);
+    const auto array = vtkSmartPointer<vtkDataArray>::Take(values->NewInstance());
+    array->ShallowCopy(values);
+    array->SetName(name);
+    fieldData->AddArray(array);
+  };
+  add(LevelArrays::Vertices, StreamArrays::ProfileVertices);
+  add(LevelArrays::Triangles, StreamArrays::ProfileTriangles);
+  add(LevelArrays::Components, StreamArrays::ProfileComponents);
+  add(LevelArrays::Tunnels, StreamArrays::ProfileTunnels);
+  add(LevelArrays::Voids, StreamArrays::ProfileVoids);
+  add(ProfileArrays::Volume, StreamArrays::ProfileVolume);
+  add(ProfileArrays::Priority, StreamArrays::ProfilePriority);
+  if (withErrors)
+  {
+    add(LevelArrays::Error, StreamArrays::ProfileError);
+  }
 }

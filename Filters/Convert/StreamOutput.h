@@ -14,19 +14,23 @@
 
 #include <vector>
 
+class vtkFieldData;
 class vtkPolyData;
 class vtkTable;
 class vtkUnstructuredGrid;
 
 /**
  * Fills the grid with a stream. `cellIds` has the cell of `input` for each facet that the helper
- * program was given. The field data get the profile and the settings that are members of the
- * stream; the caller adds the other settings.
+ * program was given. The field data get the settings that are members of the stream; the caller
+ * adds the other settings and the profile.
  */
 template <int D>
-void FillStream(const carving::StoredStream<D>& stream, const carving::Profile& profile,
-  vtkPolyData* input, const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output);
+void FillStream(const carving::StoredStream<D>& stream, vtkPolyData* input,
+  const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output);
 
 void FillProfile(const carving::Profile& profile, vtkTable* output);
+
+/** Adds the columns of a profile, with or without the errors, to field data, which share them. */
+void AddProfile(vtkTable* profile, bool withErrors, vtkFieldData* fieldData);
 
 #endif

@@ -72,8 +72,8 @@ bool LeafOutput<D>::Write(
   Describe(leaf, carved, notes);
   WriteNotes(notes, this->Ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
-  this->WriteStream(attributes, leaf, carved, grid);
   FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
+  this->WriteStream(attributes, leaf, carved, grid);
   if (D == 3 && this->Settings.Simplify
       ? !this->WriteSimplifiedLevels(carved, grid)
       : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
@@ -101,7 +101,9 @@ template <int D>
 void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
   const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
-  FillStream(carved.Stream, carved.Profile, attributes, leaf.Input.CellIds, grid);
+  FillStream(carved.Stream, attributes, leaf.Input.CellIds, grid);
+  AddProfile(vtkTable::SafeDownCast(this->Ports.Profile), !carved.Profile.Error.empty(),
+    grid->GetFieldData());
   FillSimplifiedStream(carved.Simplified, grid->GetFieldData());
   AddTargetRanges(carved.Profile, carved.Simplified, grid->GetFieldData());
   const carving::Reply& reply = leaf.Reply;

@@ -3,8 +3,8 @@
  * @file
  * Pages of memory for large arrays, all at once.
  *
- * Carving visits cells in an order that has nothing to do with their places in memory. With pages of
- * 4 KiB, the processor then spends much of its time on finding pages, and the system much on
+ * Carving visits cells in an order that has nothing to do with their places in memory. With pages
+ * of 4 KiB, the processor then spends much of its time on finding pages, and the system much on
  * providing them one by one. Linux has larger pages for memory that a program asks for by name, and
  * provides all pages of an array in a single call.
  */

@@ -5,6 +5,7 @@
 #include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Vector.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>
@@ -90,7 +91,7 @@ std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> 
     return mistake;
   }
   std::vector<carving::Point> points;
-  carving::ReserveLarge(points, used.size());
+  carving::ReserveLarge(points, std::count(used.begin(), used.end(), 1));
   for (vtkIdType i = 0; i < static_cast<vtkIdType>(used.size()); ++i)
   {
     if (used[i])

@@ -72,8 +72,7 @@ bool LeafOutput<D>::Write(
   Describe(leaf, carved, notes);
   WriteNotes(notes, this->Ports.Levels->GetFieldData());
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Ports.Stream);
-  FillProfile(carved.Profile, vtkTable::SafeDownCast(this->Ports.Profile));
-  this->WriteStream(attributes, leaf, carved, grid);
+  this->WriteStreamAndProfile(attributes, leaf, carved, grid);
   if (D == 3 && this->Settings.Simplify
       ? !this->WriteSimplifiedLevels(carved, grid)
       : !this->WriteLevels(this->SelectSteps(carved.Profile), carved, grid))
@@ -98,12 +97,13 @@ void LeafOutput<D>::PassFieldData(vtkPolyData* input)
 }
 
 template <int D>
-void LeafOutput<D>::WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+void LeafOutput<D>::WriteStreamAndProfile(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
   const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
+  auto* profile = vtkTable::SafeDownCast(this->Ports.Profile);
+  FillProfile(carved.Profile, profile);
   FillStream(carved.Stream, attributes, leaf.Input.CellIds, grid);
-  AddProfile(vtkTable::SafeDownCast(this->Ports.Profile), !carved.Profile.Error.empty(),
-    grid->GetFieldData());
+  AddProfile(profile, !carved.Profile.Error.empty(), grid->GetFieldData());
   FillSimplifiedStream(carved.Simplified, grid->GetFieldData());
   AddTargetRanges(carved.Profile, carved.Simplified, grid->GetFieldData());
   const carving::Reply& reply = leaf.Reply;

@@ -38,7 +38,7 @@ public:
 
 private:
   void PassFieldData(vtkPolyData* input);
-  void WriteStream(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
+  void WriteStreamAndProfile(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
     const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   std::vector<int> SelectSteps(const carving::Profile& profile);
   /** Fills a block for each step. Returns false if the filter is to stop. */

@@ -19,6 +19,7 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -102,7 +103,10 @@ void FillGrid(Bytes& bytes, const Carving<D>& carved, vtkUnstructuredGrid* grid)
   const auto input = ToPolyData({ carved.Stored.Mesh.Surface.Points, {} });
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
   std::iota(cellIds.begin(), cellIds.end(), 0);
-  FillStream(carved.Stored, carved.Profile, input, cellIds, grid);
+  FillStream(carved.Stored, input, cellIds, grid);
+  vtkNew<vtkTable> profile;
+  FillProfile(carved.Profile, profile);
+  AddProfile(profile, !carved.Profile.Error.empty(), grid->GetFieldData());
   // The input's own data.
   auto numbers = MakeArray<vtkDoubleArray>("Numbers", grid->GetNumberOfPoints());
   numbers->Fill(1.0);

@@ -36,6 +36,18 @@ bool IsBetter(LevelTarget type, const BestTrial& a, const BestTrial& b)
 }
 
 /**
+ * Whether a coarser surface of the same trial is better. Errors are exact to within 1 %. A level has
+ * to be closer by more than that to have fewer vertices than a target allows.
+ */
+bool IsCoarserBetter(LevelTarget type, const BestTrial& coarser, const BestTrial& finer)
+{
+  constexpr double clearly = 0.98;
+  return IsBetter(type, coarser, finer) &&
+    (type == LevelTarget::ErrorBound || !finer.Surface->Reached ||
+      coarser.Surface->Error < clearly * finer.Surface->Error);
+}
+
+/**
  * Whether neither the topology of the last step nor its pits keep a level with `value` vertices or
  * triangles far from M.
  */
@@ -95,7 +107,7 @@ std::vector<BestTrial> RankTrials(
     {
       const BestTrial next = { &trial, &surfaces[i] };
       if (MayServe(surfaces[i], trial.Targets[i].Value, target) &&
-        (!best.Trial || IsBetter(target.Type, next, best)))
+        (!best.Trial || IsCoarserBetter(target.Type, next, best)))
       {
         best = next;
       }

@@ -63,9 +63,9 @@ struct BestTrial
 };
 
 /**
- * The trials that have a surface for a target, from good to bad, each with its best surface for
- * this or a smaller number. Those that reach a number come first, the closest to M before all;
- * within an error bound, those with the fewest vertices.
+ * The trials that have a surface for a target, from good to bad, each with its surface for this
+ * number, or for a smaller one if that is clearly closer to M. Those that reach a number come first,
+ * the closest to M before all; within an error bound, those with the fewest vertices.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);

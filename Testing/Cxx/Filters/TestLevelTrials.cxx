@@ -154,6 +154,17 @@ TEST(LevelTrials, AreRankedByDistance)
   EXPECT_EQ(ranked[1].Surface->Error, 0.03);
 }
 
+// A level with fewer vertices than a target allows does not stand in for one that is as far from M
+// as the accuracy of distances tells.
+TEST(LevelTrials, KeepFinerLevelsAtEqualDistances)
+{
+  const std::vector<LevelTrial> trials = { MakeTrial(
+    LastStep, { { 500, 0.0301 }, { 200, 0.03 } }) };
+  const BestTrial best = FindBestTrial(trials, MakeTargets({ 500.0 }).front());
+  ASSERT_TRUE(best.Trial);
+  EXPECT_EQ(best.Surface->Error, 0.0301);
+}
+
 // No level comes from a later step than a finer one, even if that is closer to M.
 TEST(LevelTrials, AreChosenFromStepsInOrder)
 {

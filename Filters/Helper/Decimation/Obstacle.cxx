@@ -7,6 +7,7 @@
 #include "Helper/Enclosing/Pierce.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carving::helper
 {
@@ -25,14 +26,18 @@ Obstacle::Obstacle(const FacetTree<3>& tree)
   this->AssignVerticesAndEdges();
 }
 
+/**
+ * Assigns each vertex and edge to one of its triangles. Leaves out edges that only divide a flat
+ * region, and vertices that have no other edges: a face that touches these touches others as well.
+ */
 void Obstacle::AssignVerticesAndEdges()
 {
   const ResolvedMesh& mesh = this->Triangles.GetMesh();
   const std::vector<Triangle>& triangles = mesh.Facets;
   this->Vertices.assign(triangles.size(), 0);
   this->Edges.assign(triangles.size(), 0);
-  std::vector<char> isAssigned(mesh.Points.size(), 0);
-  using Edge = std::array<int, 2>; // the greater end; 3 * triangle + corner
+  std::vector<char> isLeftOut(mesh.Points.size(), 1); // or has been assigned
+  using Edge = std::array<int, 2>;                    // the greater end; 3 * triangle + corner
   Buckets<Edge> edges(mesh.Points.size(),
     [&](auto&& visit)
     {
@@ -49,22 +54,43 @@ void Obstacle::AssignVerticesAndEdges()
   {
     const auto bucket = edges[lower];
     std::sort(bucket.begin(), bucket.end());
-    int last = -1;
-    for (const auto& [upper, corner] : bucket)
+    for (auto first = bucket.begin(), end = first; first != bucket.end(); first = end)
     {
-      this->Edges[corner / 3] |= static_cast<unsigned char>((upper != last) << corner % 3);
-      last = upper;
+      const auto [upper, corner] = *first;
+      end = std::find_if(
+        first, bucket.end(), [upper = upper](const Edge& edge) { return edge[0] != upper; });
+      if (end - first != 2 || !this->IsFlat(corner, first[1][1]))
+      {
+        this->Edges[corner / 3] |= static_cast<unsigned char>(1 << corner % 3);
+        isLeftOut[lower] = isLeftOut[upper] = 0;
+      }
     }
   }
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int k = 0; k < 3; ++k)
     {
-      char& assigned = isAssigned[triangles[t][k]];
-      this->Vertices[t] |= static_cast<unsigned char>(!assigned << k);
-      assigned = 1;
+      char& leftOut = isLeftOut[triangles[t][k]];
+      this->Vertices[t] |= static_cast<unsigned char>(!leftOut << k);
+      leftOut = 1;
     }
   }
+}
+
+/**
+ * Whether one triangle continues another in one plane, up to the distance that contacts leave. Each
+ * has a common edge from corner `3 * triangle + k` on.
+ */
+bool Obstacle::IsFlat(int corner, int otherCorner) const
+{
+  const ResolvedMesh& mesh = this->Triangles.GetMesh();
+  const auto opposite = [&mesh](int of) { return mesh.Points[mesh.Facets[of / 3][(of + 2) % 3]]; };
+  const Point& a = mesh.Points[mesh.Facets[corner / 3][corner % 3]];
+  const Point& b = mesh.Points[mesh.Facets[corner / 3][(corner + 1) % 3]];
+  const Point normal = Cross(b - a, opposite(corner) - a);
+  const Point beyond = opposite(otherCorner) - a;
+  return Dot(Cross(normal, b - a), beyond) < 0.0 &&
+    std::abs(Dot(normal, beyond)) <= this->Margin * Length(normal);
 }
 
 std::optional<FirstContact> Obstacle::FindContact(
@@ -81,7 +107,8 @@ std::optional<FirstContact> Obstacle::FindContact(
   for (std::size_t face = 0; face < search.GetNumberOfFaces(); ++face)
   {
     SweptFace swept = search.Sweep(face);
-    this->Triangles.ForEachSwept(swept,
+    this->Triangles.ForEachSwept(
+      swept, [this](int t) { return (this->Vertices[t] | this->Edges[t]) != 0; },
       [&](int t, const std::array<Point, 3>& corners)
       {
         const double time = search.GetTime();

@@ -37,6 +37,7 @@ public:
 
 private:
   void AssignVerticesAndEdges();
+  bool IsFlat(int corner, int otherCorner) const;
   void MoveTo(const Star& star, std::initializer_list<Point> points);
 
   ObstacleSearch Triangles;

@@ -54,11 +54,11 @@ public:
   }
 
   /**
-   * Calls `visit` with the index and corners of each triangle that a moving face may meet. The face
-   * may change meanwhile, to the same motion for a shorter time.
+   * Calls `visit` with the index and corners of each triangle that counts and that a moving face may
+   * meet. The face may change meanwhile, to the same motion for a shorter time.
    */
-  template <class Visitor>
-  void ForEachSwept(const SweptFace& face, Visitor&& visit) const
+  template <class Predicate, class Visitor>
+  void ForEachSwept(const SweptFace& face, Predicate&& counts, Visitor&& visit) const
   {
     if (!this->HasCopies)
     {
@@ -67,7 +67,7 @@ public:
         [&](int t)
         {
           const auto corners = this->Tree.GetItems().CornersOf(t);
-          if (face.MayMeet(corners))
+          if (counts(t) && face.MayMeet(corners))
           {
             visit(t, corners);
           }
@@ -76,7 +76,8 @@ public:
     }
     for (const Copy& copy : this->Copies)
     {
-      if (face.GetBounds().Overlaps(copy.Bounds) && face.MayMeet(copy.Corners))
+      if (counts(copy.Index) && face.GetBounds().Overlaps(copy.Bounds) &&
+        face.MayMeet(copy.Corners))
       {
         visit(copy.Index, copy.Corners);
       }

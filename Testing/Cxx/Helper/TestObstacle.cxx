@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The contacts of moving faces with a mesh.
+ */
+#include "Core/Mesh/Vector.h"
+#include "Helper/Decimation/Obstacle.h"
+#include "Helper/Resolve/Clean.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+using namespace carving;
+using helper::Vertex;
+
+namespace
+{
+
+constexpr double Accuracy = 1e-6;
+
+/** The unit cube, with 2 * n * n triangles in each wall. */
+ResolvedMesh MakeCube(int n)
+{
+  TriangleMesh cube;
+  for (int wall = 0; wall < 6; ++wall)
+  {
+    const auto add = [&](int i, int j)
+    {
+      Point p;
+      p[wall % 3] = wall / 3;
+      p[(wall + 1 + wall / 3) % 3] = static_cast<double>(j) / n;
+      p[(wall + 2 - wall / 3) % 3] = static_cast<double>(i) / n;
+      cube.Points.push_back(p);
+      return static_cast<int>(cube.Points.size()) - 1;
+    };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < n; ++j)
+      {
+        const int a = add(i, j), b = add(i + 1, j), c = add(i + 1, j + 1), d = add(i, j + 1);
+        cube.Triangles.push_back({ a, b, c });
+        cube.Triangles.push_back({ a, c, d });
+      }
+    }
+  }
+  return helper::Clean(helper::AsResolved(cube));
+}
+
+/** A closed surface: faces between w, which is vertex 0, and a ring, and others far below. */
+helper::SurfaceMesh MakeTent(const Point& w, const std::vector<Point>& ring)
+{
+  ResolvedMesh tent;
+  tent.Points = { w, { 0.5, 0.5, -100.0 } };
+  tent.Points.insert(tent.Points.end(), ring.begin(), ring.end());
+  const int count = static_cast<int>(ring.size());
+  for (int i = 0; i < count; ++i)
+  {
+    const int a = 2 + i, b = 2 + (i + 1) % count;
+    tent.Facets.push_back({ 0, a, b });
+    tent.Facets.push_back({ 1, b, a });
+  }
+  return helper::AsSurfaceMesh(tent);
+}
+
+/** When faces around w touch a mesh. */
+double FindTime(
+  const ResolvedMesh& mesh, const Point& w, const std::vector<Point>& ring, const Point& to)
+{
+  const FacetTree<3> tree(mesh);
+  helper::Obstacle obstacle(tree);
+  const helper::Star star(MakeTent(w, ring), Vertex(0));
+  const auto contact = obstacle.FindContact(star, w, to);
+  return contact ? contact->Time : HUGE_VAL;
+}
+
+/**
+ * When an edge of moving faces touches the edge from (1, 0, 1) to (1, 1, 1) of a mesh below. They
+ * meet at half of the time: then w is at a height of 0.75, and the edge goes through (1, 0.5, 1).
+ */
+double FindTimeOfValley(const ResolvedMesh& mesh)
+{
+  const std::vector<Point> ring = { { -1.0, 0.5, 1.5 }, { 2.0, -2.0, 3.0 }, { 4.0, 0.5, 3.0 },
+    { 2.0, 3.0, 3.0 } };
+  return FindTime(mesh, { 2.0, 0.5, 1.5 }, ring, { 2.0, 0.5, 0.0 });
+}
+
+} // namespace
+
+// A vertex that moves down stops at a wall, however that is divided.
+TEST(Obstacle, StopsVertices)
+{
+  const std::vector<Point> ring = { { 0.2, 0.3, 1.5 }, { 0.7, 0.2, 1.5 }, { 0.6, 0.9, 1.5 } };
+  for (const int n : { 1, 2, 9 })
+  {
+    EXPECT_NEAR(FindTime(MakeCube(n), { 0.5, 0.5, 2.0 }, ring, { 0.5, 0.5, -2.0 }), 0.25, Accuracy)
+      << n;
+  }
+}
+
+// An edge that moves down stops at an edge of the cube, and passes over the edges in its walls.
+TEST(Obstacle, StopsEdges)
+{
+  for (const int n : { 1, 3, 10 })
+  {
+    EXPECT_NEAR(FindTimeOfValley(MakeCube(n)), 0.5, Accuracy) << n;
+  }
+}
+
+// The same at the border of a sheet with two sides, though both lie in one plane.
+TEST(Obstacle, StopsEdgesAtSheets)
+{
+  ResolvedMesh sheet;
+  sheet.Points = { { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+  sheet.Facets = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 2, 1 }, { 0, 3, 2 } };
+  EXPECT_NEAR(FindTimeOfValley(sheet), 0.5, Accuracy);
+}
+
+// Faces that move down stop at a corner of the cube: between w above a wall and a ring around it,
+// which is lower, the height of the faces is least at a corner.
+TEST(Obstacle, StopsFaces)
+{
+  constexpr double start = 9.0;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> share(0.1, 0.9), height(-1.0, 0.5), radius(4.0, 8.0);
+  for (int run = 0; run < 100; ++run)
+  {
+    const double x = share(random), y = share(random), z = height(random);
+    const double r = radius(random);
+    const int count = 3 + run % 5;
+    std::vector<Point> ring;
+    for (int i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * M_PI * (i + 0.5 * share(random)) / count;
+      ring.push_back({ x + r * std::cos(angle), y + r * std::sin(angle), z });
+    }
+    double highest = 1.0; // w touches the wall
+    for (const auto& [cornerX, cornerY] : { std::pair(0, 0), { 0, 1 }, { 1, 0 }, { 1, 1 } })
+    {
+      double weight = 1.0; // of w at the corner: the ring is convex, so the least of all planes
+      for (int i = 0; i < count; ++i)
+      {
+        const Point &a = ring[i], &b = ring[(i + 1) % count];
+        const double all = (a[0] - x) * (b[1] - y) - (a[1] - y) * (b[0] - x);
+        const double part =
+          (a[0] - cornerX) * (b[1] - cornerY) - (a[1] - cornerY) * (b[0] - cornerX);
+        weight = std::min(weight, part / all);
+      }
+      highest = std::max(highest, z + (1.0 - z) / weight);
+    }
+    ASSERT_LT(highest, start);
+    const double expected = start - highest;
+    const Point w = { x, y, start }, to = { x, y, start - 1.0 - expected };
+    for (const int n : { 1, 4 })
+    {
+      EXPECT_NEAR(FindTime(MakeCube(n), w, ring, to) * (1.0 + expected), expected, Accuracy) << run;
+    }
+  }
+}

@@ -331,7 +331,10 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     [&] { return between(anyNumber); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] { return PlanTighterTrials(profile, targets, this->Trials); },
+    [&] {
+      return PlanTighterTrials(
+        profile, targets, this->Trials, carving::Diagonal(this->Mesh.Points));
+    },
   };
   const double share = 1.0 / std::size(rounds);
   double done = 0.0;

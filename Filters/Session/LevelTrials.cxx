@@ -55,15 +55,11 @@ bool IsLastStepGoodEnough(
   const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal)
 {
   constexpr double room = 20.0; // vertices per vertex that the topology needs
-  // The distance of a smooth surface is about inversely proportional to its number of vertices.
-  // Their product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the
-  // vertices.
-  constexpr double smooth = 6.0;
   constexpr double mostGrowth = 1.25;
   constexpr double many = 0.25; // of the vertices: the distance depends on details of M
   for (const LevelTrial& trial : trials)
   {
-    double finer = smooth * diagonal; // the product for the next finer target
+    double finer = MostOfSmooth * diagonal; // the product for the next finer target
     for (std::size_t i = 0; trial.Step == lastStep && i < trial.Result.Surfaces.size(); ++i)
     {
       const DecimatedSurface& surface = trial.Result.Surfaces[i];

@@ -56,6 +56,12 @@ void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
   trial.Targets = std::move(kept);
 }
 
+/**
+ * The distance of a smooth surface is about inversely proportional to its number of vertices. Their
+ * product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the vertices.
+ */
+constexpr double MostOfSmooth = 6.0;
+
 struct BestTrial
 {
   const LevelTrial* Trial = nullptr; ///< null if no trial has a surface for the target

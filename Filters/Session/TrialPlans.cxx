@@ -85,14 +85,20 @@ TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetItera
   return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();
 }
 
+/** The number of vertices that a target allows, at least. */
+double CountVertices(const SimplifiedTarget& target)
+{
+  return target.Type == LevelTarget::Vertices ? target.Value
+    : target.Type == LevelTarget::Triangles   ? target.Value / 2.0
+                                              : 1.0;
+}
+
 /** The steps before the last one that are decimated for a target at first, from fine to coarse. */
 std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
 {
   const int last = target.LastStep;
   std::vector<int> steps = { last };
-  const double least = target.Type == LevelTarget::Vertices ? target.Value
-    : target.Type == LevelTarget::Triangles                 ? target.Value / 2.0
-                                                            : 1.0;
+  const double least = CountVertices(target);
   for (double count = profile.Vertices[last] / 2.0; count >= least; count /= 2.0)
   {
     const int step = FindStep(profile, last, count);
@@ -169,6 +175,19 @@ std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<Leve
   return steps;
 }
 
+/**
+ * Whether a trial of a step within a bound is worth its time. Hardly any gets to more than a
+ * twentieth of the step's vertices if the surface without a bound is as close as that of a smooth
+ * mesh.
+ */
+bool IsWorthBound(const SimplifiedTarget& target, int vertices, double error, double diagonal)
+{
+  constexpr double greatestShare = 0.05;
+  const double count = CountVertices(target);
+  return vertices <= DecimationOptions::ManyVertices &&
+    (count <= greatestShare * vertices || count * error > MostOfSmooth * diagonal);
+}
+
 } // namespace
 
 std::vector<LevelTrial> PlanTrialsOfLastSteps(const std::vector<SimplifiedTarget>& targets)
@@ -231,7 +250,8 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
 }
 
 std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
-  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
+  double diagonal)
 {
   constexpr double similar = 0.85;
   std::vector<LevelTrial> added;
@@ -243,16 +263,18 @@ std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
     {
       continue;
     }
+    const double error = closest.front().Surface->Error;
     for (std::size_t i = 0; i < closest.size(); ++i)
     {
       const auto& [trial, surface] = closest[i];
       const int vertices = profile.Vertices[trial->Step];
       const bool few = vertices <= DecimationOptions::FewVertices;
-      const std::size_t candidates = few ? 5 : vertices <= DecimationOptions::ManyVertices ? 3 : 0;
+      const std::size_t candidates = few                  ? 5
+        : IsWorthBound(target, vertices, error, diagonal) ? 3
+                                                          : 0;
       // For less gain, the mean distance grows too much.
-      const double bound = (few ? 0.94 : 0.875) * closest.front().Surface->Error;
-      if (i < candidates && surface->Reached &&
-        similar * surface->Error <= closest.front().Surface->Error)
+      const double bound = (few ? 0.94 : 0.875) * error;
+      if (i < candidates && surface->Reached && similar * surface->Error <= error)
       {
         AddTarget(added, target, trial->Step, bound);
       }

@@ -140,6 +140,21 @@ TEST(LevelTrials, TryStepsBetweenTrialsForTheSameNumber)
   EXPECT_TRUE(PlanTrialsBetween(TunnelAtEachStep(), targets, trials, VerticesOfM / 2).empty());
 }
 
+// A step is tried again within a bound for numbers that are small beside its own, and where its
+// surface is farther from M than that of a smooth mesh: by more than six diagonals divided by n.
+TEST(LevelTrials, AreBoundWhereThatHelps)
+{
+  const auto isBound = [](double vertices, double error)
+  {
+    const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { vertices, error } }) };
+    return !PlanTighterTrials(TunnelAtEachStep(), MakeTargets({ vertices }), trials, Diagonal)
+              .empty();
+  };
+  EXPECT_TRUE(isBound(400.0, 0.01));
+  EXPECT_FALSE(isBound(2000.0, 0.0029));
+  EXPECT_TRUE(isBound(2000.0, 0.0031));
+}
+
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices
 // stands in for one that is farther from M.
 TEST(LevelTrials, AreRankedByDistance)

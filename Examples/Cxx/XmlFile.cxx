@@ -12,17 +12,13 @@
 #include "vtkObjectFactory.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLDataObjectWriter.h"
 #include "vtkXMLMultiBlockDataWriter.h"
 #include "vtksys/SystemTools.hxx"
 
-#include <atomic>
 #include <fstream>
-#include <string>
-#include <vector>
 
 namespace
 {
@@ -39,21 +35,17 @@ bool Save(const std::string& fileName, vtkXMLWriter* writer)
   return !file.fail();
 }
 
-/** A data set and the name of its file. */
-struct Leaf
-{
-  std::string FileName;
-  vtkSmartPointer<vtkDataObject> Data;
-};
-
-/** Writes the tree alone, and lists the leaves. */
+/**
+ * Saves the files of all blocks in the same way. Not several at a time: a writer stores the ranges of
+ * arrays in the arrays, and levels share those of their field data.
+ */
 class MultiBlockWriter : public vtkXMLMultiBlockDataWriter
 {
 public:
   static MultiBlockWriter* New();
   vtkTypeMacro(MultiBlockWriter, vtkXMLMultiBlockDataWriter);
 
-  std::vector<Leaf> Leaves;
+  bool AllSaved = true;
 
 protected:
   int WriteNonCompositeData(
@@ -63,10 +55,11 @@ protected:
     {
       return this->Superclass::WriteNonCompositeData(block, element, index, fileName);
     }
-    element->SetAttribute("file", fileName);
-    this->Leaves.push_back({ std::string(this->GetFilePath()) + fileName, block });
-    ++index;
-    return 1;
+    vtkXMLWriter* writer = this->GetWriter(index);
+    writer->WriteToOutputStringOn();
+    const int written = this->Superclass::WriteNonCompositeData(block, element, index, fileName);
+    this->AllSaved = Save(std::string(this->GetFilePath()) + fileName, writer) && this->AllSaved;
+    return written;
   }
 };
 vtkStandardNewMacro(MultiBlockWriter);
@@ -104,26 +97,12 @@ bool WriteWith(vtkXMLWriter* writer, const std::string& fileName, vtkDataObject*
   return writer->Write() != 0 && !writer->GetOutputString().empty() && Save(fileName, writer);
 }
 
-/** Writes leaves, each in the format of its type, several at a time. */
-bool WriteLeaves(const std::vector<Leaf>& leaves)
+/** Writes a leaf in the format of its type. */
+bool WriteLeaf(const std::string& fileName, vtkDataObject* leaf)
 {
-  const vtkIdType count = static_cast<vtkIdType>(leaves.size());
-  std::atomic<bool> good(true);
-  vtkSMPTools::For(0, count, 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end && good; ++i)
-      {
-        const Leaf& leaf = leaves[count - 1 - i]; // the last levels are the largest
-        vtkSmartPointer<vtkXMLWriter> writer;
-        writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(leaf.Data->GetDataObjectType()));
-        if (!WriteWith(writer, leaf.FileName, leaf.Data))
-        {
-          good = false;
-        }
-      }
-    });
-  return good;
+  vtkSmartPointer<vtkXMLWriter> writer;
+  writer.TakeReference(vtkXMLDataObjectWriter::NewWriter(leaf->GetDataObjectType()));
+  return WriteWith(writer, fileName, leaf);
 }
 
 vtkXMLDataElement* AddElement(vtkXMLDataElement* parent, const char* name)
@@ -163,11 +142,11 @@ bool WriteCollection(const std::string& fileName, vtkMultiBlockDataSet* tree)
   root->SetAttribute("type", "vtkPartitionedDataSetCollection");
   root->SetAttribute("version", "1.0");
   vtkXMLDataElement* content = AddElement(root, "vtkPartitionedDataSetCollection");
-  std::vector<Leaf> leaves;
-  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+  bool good = static_cast<bool>(vtksys::SystemTools::MakeDirectory(folder));
+  for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets() && good; ++i)
   {
     const std::string leaf = stem + "_" + std::to_string(i) + ".vtp";
-    leaves.push_back({ folder + "/" + leaf, collection->GetPartition(i, 0) });
+    good = WriteLeaf(folder + "/" + leaf, collection->GetPartition(i, 0));
     vtkXMLDataElement* partitions = AddElement(content, "Partitions");
     partitions->SetIntAttribute("index", static_cast<int>(i));
     partitions->SetAttribute("name", collection->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
@@ -179,7 +158,7 @@ bool WriteCollection(const std::string& fileName, vtkMultiBlockDataSet* tree)
   std::ofstream file(fileName, std::ios::binary);
   root->PrintXML(file, vtkIndent());
   file.close();
-  return vtksys::SystemTools::MakeDirectory(folder) && WriteLeaves(leaves) && !file.fail();
+  return good && !file.fail();
 }
 
 } // namespace
@@ -193,7 +172,7 @@ bool XmlFile::Write(const std::string& fileName, vtkDataObject* data)
   if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(data))
   {
     vtkNew<MultiBlockWriter> writer;
-    return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && WriteLeaves(writer->Leaves);
+    return WriteWith(writer, fileName, WithoutEmptyBlocks(tree)) && writer->AllSaved;
   }
-  return WriteLeaves({ { fileName, data } });
+  return WriteLeaf(fileName, data);
 }

@@ -193,7 +193,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   report.Clock.Record("read");
   carver->SetInputDataObject(0, input);
   SetProperties(options, carver);
-  vtkSMPTools::Initialize(carver->GetNumberOfThreads()); // VTK uses no more threads, either
+  vtkSMPTools::Initialize(carver->GetNumberOfThreads()); // for VTK's own loops
   carver->ReuseDecompositionOff();
   ShowProgressOf(carver);
   carver->Update();

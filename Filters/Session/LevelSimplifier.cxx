@@ -85,6 +85,7 @@ LevelSimplifier::LevelSimplifier(
   : Carved(carved)
   , Stages(stages)
   , Mesh(GetMesh(leaf, carved))
+  , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
 {
 }
@@ -175,7 +176,7 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
 {
   if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
   {
-    DropTargetsOfLastStep(this->Trials, carving::Diagonal(this->Mesh.Points), trial);
+    DropTargetsOfLastStep(this->Trials, this->Diagonal, trial);
   }
   const auto bestError = [&](double value)
   {
@@ -331,10 +332,7 @@ bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::strin
     [&] { return between(anyNumber); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] {
-      return PlanTighterTrials(
-        profile, targets, this->Trials, carving::Diagonal(this->Mesh.Points));
-    },
+    [&] { return PlanTighterTrials(profile, targets, this->Trials, this->Diagonal); },
   };
   const double share = 1.0 / std::size(rounds);
   double done = 0.0;

@@ -54,6 +54,7 @@ private:
   CarvedLeaf<3>& Carved;
   CarverStages& Stages;
   const carving::ResolvedMesh& Mesh; ///< M
+  double Diagonal;                   ///< of M
   carving::FaceDistance<3> Distance; ///< from M
   std::vector<LevelTrial> Trials;    ///< that have been run
   int Threads = 1;                   ///< that may work at a time

@@ -36,15 +36,14 @@ bool IsBetter(LevelTarget type, const BestTrial& a, const BestTrial& b)
 }
 
 /**
- * Whether a coarser surface of the same trial is better. Errors are exact to within 1 %. A level has
- * to be closer by more than that to have fewer vertices than a target allows.
+ * Whether a coarser surface of the same trial is better. Where both are reached, it has to be closer
+ * by more than the accuracy of errors, which is 1 %.
  */
 bool IsCoarserBetter(LevelTarget type, const BestTrial& coarser, const BestTrial& finer)
 {
   constexpr double clearly = 0.98;
   return IsBetter(type, coarser, finer) &&
-    (type == LevelTarget::ErrorBound || !finer.Surface->Reached ||
-      coarser.Surface->Error < clearly * finer.Surface->Error);
+    (!finer.Surface->Reached || coarser.Surface->Error < clearly * finer.Surface->Error);
 }
 
 /**

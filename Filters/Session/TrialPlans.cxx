@@ -85,7 +85,7 @@ TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetItera
   return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();
 }
 
-/** The number of vertices that a target allows, at least. */
+/** The number of vertices that a target asks for; 1 for an error bound. */
 double CountVertices(const SimplifiedTarget& target)
 {
   return target.Type == LevelTarget::Vertices ? target.Value

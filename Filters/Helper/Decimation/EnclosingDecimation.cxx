@@ -195,7 +195,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       reached = decimator.Run([&] { return mayGoOn() && (byError || count() > target); },
         [&] { return byError || std::isinf(*bound) || count() <= MostAboveTarget * target; });
     }
-    const bool isOfUse = reached || options.Bounds.empty(); // the bounds are below a known distance
+    // Bounds are below the distance of a known result, which is better than one that misses a number.
+    const bool isOfUse = reached || options.Bounds.empty();
     for (int round = 0; round < TighteningRounds && isOfUse && !stopped; ++round)
     {
       decimator.Tighten(mayGoOn);

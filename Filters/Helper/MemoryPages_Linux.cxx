@@ -2,7 +2,7 @@
 #include "Helper/MemoryPages.h"
 
 #include <cstdlib>
-#include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
 
@@ -20,6 +20,10 @@ void UseLargePagesForAll(char* argv[])
   {
     return;
   }
+  if (ReturnsFreePages("/sys/bus/virtio/drivers/virtio_balloon"))
+  {
+    return;
+  }
   settings += settings.empty() ? "" : ":";
   settings += std::string(name) + "=1";
   // By its path, so that the process keeps its name.
@@ -30,6 +34,23 @@ void UseLargePagesForAll(char* argv[])
     execv(program.c_str(), argv);
   }
   // The program also works with small pages.
+}
+
+bool ReturnsFreePages(const std::filesystem::path& balloons)
+{
+  constexpr std::size_t reporting = 5; // VIRTIO_BALLOON_F_REPORTING of the virtio standard
+  std::error_code none; // a folder that is missing or unreadable has no devices
+  for (const auto& device : std::filesystem::directory_iterator(balloons, none))
+  {
+    // The features that the machine and its host agreed on: a digit each, the first one first.
+    std::string features;
+    std::ifstream(device.path() / "features") >> features;
+    if (features.size() > reporting && features[reporting] == '1')
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace carving::helper

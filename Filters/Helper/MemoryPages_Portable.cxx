@@ -8,4 +8,9 @@ void UseLargePagesForAll(char*[])
 {
 }
 
+bool ReturnsFreePages(const std::filesystem::path&)
+{
+  return false;
+}
+
 } // namespace carving::helper

@@ -39,7 +39,7 @@ void UseLargePagesForAll(char* argv[])
 bool ReturnsFreePages(const std::filesystem::path& balloons)
 {
   constexpr std::size_t reporting = 5; // VIRTIO_BALLOON_F_REPORTING of the virtio standard
-  std::error_code none; // a folder that is missing or unreadable has no devices
+  std::error_code none;                // a folder that is missing or unreadable has no devices
   for (const auto& device : std::filesystem::directory_iterator(balloons, none))
   {
     // The features that the machine and its host agreed on: a digit each, the first one first.

@@ -5,7 +5,7 @@
 #include "Objects/CompositeTree.h"
 #include "Session/CarvedLeaf.h"
 #include "Session/LeafOutput.h"
-#include "Session/LevelSimplifier.h"
+#include "Session/SimplifyLevels.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -83,7 +83,7 @@ bool CarverSession<D>::Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& ca
     if (this->Settings.Simplify)
     {
       std::vector<std::string> problems;
-      goOn = LevelSimplifier(leaf, carved, this->Stages).Run(this->Settings, problems);
+      goOn = SimplifyLevels(leaf, this->Settings, this->Stages, carved, problems);
       for (const std::string& problem : problems)
       {
         vtkWarningWithObjectMacro(this->Filter, << problem);

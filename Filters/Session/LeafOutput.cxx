@@ -11,7 +11,7 @@
 #include "Core/Mesh/ForEach.h"
 #include "Objects/CompositeTree.h"
 #include "Session/CarverNotes.h"
-#include "Session/LevelSimplifier.h"
+#include "Session/SimplifyLevels.h"
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

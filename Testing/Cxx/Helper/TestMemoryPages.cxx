@@ -25,7 +25,10 @@ public:
     std::filesystem::create_directories(this->Folder);
     std::ofstream(this->Folder / "bind");
   }
-  ~Devices() { std::filesystem::remove_all(this->Folder); }
+  ~Devices()
+  {
+    std::filesystem::remove_all(this->Folder);
+  }
 
   void Add(const std::string& name, const std::string& features) const
   {

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Session/LevelSimplifier.h"
+#include "Session/TrialRunner.h"
 
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
-#include "Session/TrialPlans.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
-#include <limits>
-#include <map>
 
 namespace
 {
@@ -23,10 +19,11 @@ using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-const carving::ResolvedMesh& GetMesh(const DecomposedLeaf<3>& leaf, const CarvedLeaf<3>& carved)
+const carving::ResolvedMesh& GetMesh(
+  const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream)
 {
   const carving::ResolvedMesh& unresolved = leaf.Reply.Result.Unresolved;
-  return unresolved.Facets.empty() ? carved.Stream.Mesh.Surface : unresolved;
+  return unresolved.Facets.empty() ? stream.Mesh.Surface : unresolved;
 }
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
@@ -53,47 +50,21 @@ DecimationTarget AsDecimationTarget(LevelTarget type)
 
 } // namespace
 
-std::vector<SimplifiedTarget> MakeSimplifiedTargets(
-  const carving::Profile& profile, const CarverSettings& settings)
-{
-  std::vector<SimplifiedTarget> targets;
-  for (const double target : settings.LevelTargets)
-  {
-    targets.push_back(carving::MakeSimplifiedTarget(
-      profile, settings.TargetType, target, settings.MaximumVertices));
-  }
-  if (targets.empty())
-  {
-    for (const int step : carving::SpreadLevels(profile, settings.NumberOfLevels))
-    {
-      targets.push_back(
-        carving::MakeSimplifiedTarget(profile, LevelTarget::Vertices, profile.Vertices[step], 0));
-    }
-  }
-  std::sort(targets.begin(), targets.end(),
-    [](const SimplifiedTarget& a, const SimplifiedTarget& b)
-    {
-      return a.LastStep != b.LastStep       ? a.LastStep < b.LastStep
-        : a.Type == LevelTarget::ErrorBound ? a.Value > b.Value
-                                            : a.Value < b.Value;
-    });
-  return targets;
-}
-
-LevelSimplifier::LevelSimplifier(
-  const DecomposedLeaf<3>& leaf, CarvedLeaf<3>& carved, CarverStages& stages)
-  : Carved(carved)
+TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream,
+  int threads, CarverStages& stages)
+  : Stream(stream)
   , Stages(stages)
-  , Mesh(GetMesh(leaf, carved))
+  , Mesh(GetMesh(leaf, stream))
   , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
+  , Threads(threads)
 {
 }
 
 /** Starts to decimate the step of a trial, unless no target is in reach. */
-std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial& trial) const
+std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& trial) const
 {
-  const carving::StoredStream<3>& stream = this->Carved.Stream;
+  const carving::StoredStream<3>& stream = this->Stream;
   const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
   const carving::ManifoldLevel<3> cut = carving::CutIntoManifold(stream, level);
   const carving::SurfaceTopology topology = carving::MeasureSurface(cut);
@@ -141,7 +112,7 @@ std::optional<HelperProcess> LevelSimplifier::Start(LevelTarget type, LevelTrial
 }
 
 /** Waits for the decimated step of a trial. Returns false if the filter is to stop. */
-bool LevelSimplifier::Finish(HelperProcess& process, double begin, double end, LevelTrial& trial)
+bool TrialRunner::Finish(HelperProcess& process, double begin, double end, LevelTrial& trial)
 {
   carving::Reply reply;
   const HelperProcess::Outcome outcome = process.Wait([&](const carving::WorkProgress& progress)
@@ -156,11 +127,11 @@ bool LevelSimplifier::Finish(HelperProcess& process, double begin, double end, L
  * A lower bound of the distance of C_step from M, sought up to `enough`: the largest distance of a
  * face's centroid.
  */
-double LevelSimplifier::FindLeastError(int step, double enough) const
+double TrialRunner::FindLeastError(int step, double enough) const
 {
   double least = 0.0;
-  const std::vector<carving::Point>& points = this->Carved.Stream.Mesh.Surface.Points;
-  for (const carving::FaceLife<3>& face : carving::ExtractLevel(this->Carved.Stream, step).Faces)
+  const std::vector<carving::Point>& points = this->Stream.Mesh.Surface.Points;
+  for (const carving::FaceLife<3>& face : carving::ExtractLevel(this->Stream, step).Faces)
   {
     if (face.Constraint < 0 && least <= enough)
     {
@@ -172,7 +143,8 @@ double LevelSimplifier::FindLeastError(int step, double enough) const
 }
 
 /** Drops the targets for which an earlier trial has a result that this one could hardly beat. */
-void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial& trial) const
+void TrialRunner::DropHopelessTargets(
+  const std::vector<SimplifiedTarget>& targets, LevelTrial& trial) const
 {
   if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
   {
@@ -196,7 +168,7 @@ void LevelSimplifier::DropHopelessTargets(const TargetList& targets, LevelTrial&
 }
 
 /** Runs trials at the same time. Returns false if the filter is to stop. */
-bool LevelSimplifier::RunTogether(
+bool TrialRunner::RunTogether(
   LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last)
 {
   std::vector<std::optional<HelperProcess>> processes;
@@ -216,12 +188,8 @@ bool LevelSimplifier::RunTogether(
   return true;
 }
 
-/**
- * Runs trials as a part of the stage, in pairs if a processor is free. Returns false if the filter
- * is to stop.
- */
-bool LevelSimplifier::RunTrials(
-  const TargetList& targets, std::vector<LevelTrial> trials, double begin, double end)
+bool TrialRunner::Run(const std::vector<SimplifiedTarget>& targets, std::vector<LevelTrial> trials,
+  double begin, double end)
 {
   constexpr std::size_t pair = 2;
   const std::size_t atOnce = this->Threads > 1 ? pair : 1;
@@ -246,112 +214,4 @@ bool LevelSimplifier::RunTrials(
     std::move(trials.begin() + first, trials.begin() + last, std::back_inserter(this->Trials));
   }
   return this->Stages.Report(SimplifyStage, end);
-}
-
-/** Adds the decimated step of a trial, with its new points. Returns its index. */
-int LevelSimplifier::AddStep(const LevelTrial& trial)
-{
-  std::vector<carving::DecimatedStep>& steps = this->Carved.Simplified.Steps;
-  carving::DecimatedStep& step = steps.emplace_back();
-  step.Step = trial.Step;
-  step.SurfaceComponents = trial.SurfaceComponents;
-  step.SurfaceGenus = trial.SurfaceGenus;
-  step.Chain = trial.Result.Chain;
-  for (carving::ChainFace& face : step.Chain.Faces)
-  {
-    face.Source = trial.Cells[face.Source];
-  }
-  carving::ResolvedMesh& surface = this->Carved.Stream.Mesh.Surface;
-  for (std::size_t i = 0; i < trial.Result.Points.size(); ++i)
-  {
-    const int source = trial.Result.PointSources[i];
-    if (source >= 0)
-    {
-      step.Points.push_back(trial.Points[source]);
-      continue;
-    }
-    step.Points.push_back(static_cast<int>(surface.Points.size()));
-    surface.Points.push_back(trial.Result.Points[i]);
-    surface.PointSources.push_back(-1);
-  }
-  return static_cast<int>(steps.size()) - 1;
-}
-
-/** Adds the best levels. */
-void LevelSimplifier::Choose(const TargetList& targets)
-{
-  carving::SimplifiedStream& simplified = this->Carved.Simplified;
-  simplified.Type = targets.front().Type;
-  std::map<const LevelTrial*, int> added;
-  const std::vector<BestTrial> chosen = ChooseTrials(this->Trials, targets);
-  for (std::size_t i = 0; i < targets.size(); ++i)
-  {
-    const auto& [trial, surface] = chosen[i];
-    if (trial)
-    {
-      const auto found = added.find(trial);
-      const int index = found != added.end() ? found->second : this->AddStep(*trial);
-      added[trial] = index;
-      simplified.Levels.push_back(
-        { index, surface->Collapses, surface->Error, targets[i].LastStep, targets[i].Value });
-    }
-  }
-  // For numbers beyond the targets.
-  const auto last = std::find_if(this->Trials.begin(), this->Trials.end(),
-    [&](const LevelTrial& trial)
-    { return trial.Step == targets.back().LastStep && !trial.Result.Surfaces.empty(); });
-  if (last != this->Trials.end() && added.find(&*last) == added.end())
-  {
-    this->AddStep(*last);
-  }
-}
-
-bool LevelSimplifier::Run(const CarverSettings& settings, std::vector<std::string>& problems)
-{
-  const CarverStages::Timer timer(this->Stages, SimplifyStage);
-  const carving::Profile& profile = this->Carved.Profile;
-  TargetList targets = MakeSimplifiedTargets(profile, settings);
-  targets.erase(
-    std::remove_if(targets.begin(), targets.end(),
-      [&](const SimplifiedTarget& target) { return carving::IsMetByCarving(profile, target); }),
-    targets.end());
-  if (targets.empty())
-  {
-    return true;
-  }
-  this->Threads = settings.ThreadsOfLeaf;
-  // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
-  constexpr int anyNumber = std::numeric_limits<int>::max();
-  const auto between = [&](int mostVertices)
-  { return PlanTrialsBetween(profile, targets, this->Trials, mostVertices); };
-  const std::function<std::vector<LevelTrial>()> rounds[] = {
-    [&] { return PlanTrialsOfLastSteps(targets); },
-    [&] { return PlanTrials(profile, targets); },
-    [&] { return between(anyNumber); },
-    [&] { return between(anyNumber); },
-    [&] { return between(anyNumber); },
-    [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] { return PlanTighterTrials(profile, targets, this->Trials, this->Diagonal); },
-  };
-  const double share = 1.0 / std::size(rounds);
-  double done = 0.0;
-  for (const auto& plan : rounds)
-  {
-    if (!this->RunTrials(targets, plan(), done, done + share))
-    {
-      return false;
-    }
-    done += share;
-  }
-  for (const LevelTrial& trial : this->Trials)
-  {
-    if (!trial.Error.empty())
-    {
-      problems.push_back("Step " + std::to_string(trial.Step) +
-        " of the stream cannot be simplified. " + trial.Error);
-    }
-  }
-  this->Choose(targets);
-  return true;
 }

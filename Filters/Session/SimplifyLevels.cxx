@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/SimplifyLevels.h"
+
+#include "Session/TrialPlans.h"
+#include "Session/TrialRunner.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+
+namespace
+{
+
+using carving::LevelTarget;
+using carving::SimplifiedTarget;
+
+/** Adds the decimated step of a trial, with its new points. Returns its index. */
+int AddStep(const LevelTrial& trial, CarvedLeaf<3>& carved)
+{
+  std::vector<carving::DecimatedStep>& steps = carved.Simplified.Steps;
+  carving::DecimatedStep& step = steps.emplace_back();
+  step.Step = trial.Step;
+  step.SurfaceComponents = trial.SurfaceComponents;
+  step.SurfaceGenus = trial.SurfaceGenus;
+  step.Chain = trial.Result.Chain;
+  for (carving::ChainFace& face : step.Chain.Faces)
+  {
+    face.Source = trial.Cells[face.Source];
+  }
+  carving::ResolvedMesh& surface = carved.Stream.Mesh.Surface;
+  for (std::size_t i = 0; i < trial.Result.Points.size(); ++i)
+  {
+    const int source = trial.Result.PointSources[i];
+    if (source >= 0)
+    {
+      step.Points.push_back(trial.Points[source]);
+      continue;
+    }
+    step.Points.push_back(static_cast<int>(surface.Points.size()));
+    surface.Points.push_back(trial.Result.Points[i]);
+    surface.PointSources.push_back(-1);
+  }
+  return static_cast<int>(steps.size()) - 1;
+}
+
+/** Adds the levels of the best trials. */
+void AddBestLevels(const std::vector<LevelTrial>& trials,
+  const std::vector<SimplifiedTarget>& targets, CarvedLeaf<3>& carved)
+{
+  carving::SimplifiedStream& simplified = carved.Simplified;
+  simplified.Type = targets.front().Type;
+  std::map<const LevelTrial*, int> added;
+  const std::vector<BestTrial> chosen = ChooseTrials(trials, targets);
+  for (std::size_t i = 0; i < targets.size(); ++i)
+  {
+    const auto& [trial, surface] = chosen[i];
+    if (trial)
+    {
+      const auto found = added.find(trial);
+      const int index = found != added.end() ? found->second : AddStep(*trial, carved);
+      added[trial] = index;
+      simplified.Levels.push_back(
+        { index, surface->Collapses, surface->Error, targets[i].LastStep, targets[i].Value });
+    }
+  }
+  // For numbers beyond the targets.
+  const auto last = std::find_if(trials.begin(), trials.end(),
+    [&](const LevelTrial& trial)
+    { return trial.Step == targets.back().LastStep && !trial.Result.Surfaces.empty(); });
+  if (last != trials.end() && added.find(&*last) == added.end())
+  {
+    AddStep(*last, carved);
+  }
+}
+
+} // namespace
+
+std::vector<SimplifiedTarget> MakeSimplifiedTargets(
+  const carving::Profile& profile, const CarverSettings& settings)
+{
+  std::vector<SimplifiedTarget> targets;
+  for (const double target : settings.LevelTargets)
+  {
+    targets.push_back(carving::MakeSimplifiedTarget(
+      profile, settings.TargetType, target, settings.MaximumVertices));
+  }
+  if (targets.empty())
+  {
+    for (const int step : carving::SpreadLevels(profile, settings.NumberOfLevels))
+    {
+      targets.push_back(
+        carving::MakeSimplifiedTarget(profile, LevelTarget::Vertices, profile.Vertices[step], 0));
+    }
+  }
+  std::sort(targets.begin(), targets.end(),
+    [](const SimplifiedTarget& a, const SimplifiedTarget& b)
+    {
+      return a.LastStep != b.LastStep       ? a.LastStep < b.LastStep
+        : a.Type == LevelTarget::ErrorBound ? a.Value > b.Value
+                                            : a.Value < b.Value;
+    });
+  return targets;
+}
+
+bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& settings,
+  CarverStages& stages, CarvedLeaf<3>& carved, std::vector<std::string>& problems)
+{
+  const CarverStages::Timer timer(stages, SimplifyStage);
+  const carving::Profile& profile = carved.Profile;
+  std::vector<SimplifiedTarget> targets = MakeSimplifiedTargets(profile, settings);
+  targets.erase(
+    std::remove_if(targets.begin(), targets.end(),
+      [&](const SimplifiedTarget& target) { return carving::IsMetByCarving(profile, target); }),
+    targets.end());
+  if (targets.empty())
+  {
+    return true;
+  }
+  TrialRunner runner(leaf, carved.Stream, settings.ThreadsOfLeaf, stages);
+  const std::vector<LevelTrial>& trials = runner.GetTrials();
+  // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
+  constexpr int anyNumber = std::numeric_limits<int>::max();
+  const auto between = [&](int mostVertices)
+  { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
+  const std::function<std::vector<LevelTrial>()> rounds[] = {
+    [&] { return PlanTrialsOfLastSteps(targets); },
+    [&] { return PlanTrials(profile, targets); },
+    [&] { return between(anyNumber); },
+    [&] { return between(anyNumber); },
+    [&] { return between(anyNumber); },
+    [&] { return between(carving::DecimationOptions::FewVertices); },
+    [&] { return between(carving::DecimationOptions::FewVertices); },
+    [&] { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); },
+  };
+  const double share = 1.0 / std::size(rounds);
+  double done = 0.0;
+  for (const auto& plan : rounds)
+  {
+    if (!runner.Run(targets, plan(), done, done + share))
+    {
+      return false;
+    }
+    done += share;
+  }
+  for (const LevelTrial& trial : trials)
+  {
+    if (!trial.Error.empty())
+    {
+      problems.push_back("Step " + std::to_string(trial.Step) +
+        " of the stream cannot be simplified. " + trial.Error);
+    }
+  }
+  AddBestLevels(trials, targets, carved);
+  return true;
+}

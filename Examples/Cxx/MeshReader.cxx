@@ -3,6 +3,7 @@
 
 #include "ErrorLog.h"
 #include "FileName.h"
+#include "ObjFile.h"
 #include "OffReader.h"
 #include "System/TemporaryFile.h"
 
@@ -31,15 +32,38 @@ namespace
 {
 
 template <class Reader>
-void ReadWith(const std::string& fileName, vtkPolyData* mesh)
+std::string ReadWith(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
 {
+  const std::size_t errorsBefore = log->Errors.size();
   vtkNew<Reader> reader;
   reader->SetFileName(fileName.c_str());
   reader->Update();
   mesh->ShallowCopy(reader->GetOutput());
+  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
 }
 
-std::string ReadOffAsPolyData(const std::string& fileName, vtkPolyData* mesh)
+std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+{
+  const std::string mistake = ObjFile::FindMistake(fileName);
+  if (mistake.empty())
+  {
+    return ReadWith<vtkOBJReader>(fileName, log, mesh);
+  }
+  const TemporaryFile copy("carve-input");
+  std::ofstream out(copy.GetPath(), std::ios::binary);
+  ObjFile::CopyWithoutAttributes(fileName, out);
+  out.close();
+  if (!out)
+  {
+    return "there is not enough room for a copy in " + TemporaryFile::GetPlace();
+  }
+  log->Warnings.push_back("Texture coordinates, normals and faces of fewer than three corners are "
+                          "left out: " +
+    mistake + ".");
+  return ReadWith<vtkOBJReader>(copy.GetPath(), log, mesh);
+}
+
+std::string ReadOffAsPolyData(const std::string& fileName, ErrorLog*, vtkPolyData* mesh)
 {
   OffMesh off;
   const std::string error = ReadOff(fileName, off);
@@ -66,14 +90,11 @@ std::string ReadOffAsPolyData(const std::string& fileName, vtkPolyData* mesh)
 std::string ReadFormat(
   const std::string& fileName, const std::string& extension, ErrorLog* log, vtkPolyData* mesh)
 {
-  if (extension == ".off")
-  {
-    return ReadOffAsPolyData(fileName, mesh);
-  }
-  using Read = void (*)(const std::string& fileName, vtkPolyData* mesh);
-  const std::map<std::string, Read> formats = { { ".obj", &ReadWith<vtkOBJReader> },
-    { ".ply", &ReadWith<vtkPLYReader> }, { ".stl", &ReadWith<vtkSTLReader> },
-    { ".vtp", &ReadWith<vtkXMLPolyDataReader> }, { ".vtk", &ReadWith<vtkPolyDataReader> } };
+  using Read = std::string (*)(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh);
+  const std::map<std::string, Read> formats = { { ".obj", &ReadObj },
+    { ".off", &ReadOffAsPolyData }, { ".ply", &ReadWith<vtkPLYReader> },
+    { ".stl", &ReadWith<vtkSTLReader> }, { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
+    { ".vtk", &ReadWith<vtkPolyDataReader> } };
   const auto format = formats.find(extension);
   if (format == formats.end())
   {
@@ -81,9 +102,7 @@ std::string ReadFormat(
       " is not known; known are .obj, .ply, .stl, .off, .vtp and .vtk, each also with .gz, "
       "and .vtm, .vtpc, .glb and .gltf";
   }
-  const std::size_t errorsBefore = log->Errors.size();
-  format->second(fileName, mesh);
-  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+  return format->second(fileName, log, mesh);
 }
 
 /** Replaces all characters beyond ASCII, since names can have any encoding, but XML needs UTF-8. */
@@ -156,10 +175,13 @@ std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, 
   {
     return error;
   }
+  const std::size_t warningsBefore = log->Warnings.size();
   const std::string extension = FileName::GetExtension(fileName);
   error = extension == ".gz"
     ? ReadPacked(fileName, FileName::GetExtension(FileName::WithoutExtension(fileName)), log, mesh)
     : ReadFormat(fileName, extension, log, mesh);
+  std::for_each(log->Warnings.begin() + warningsBefore, log->Warnings.end(),
+    [&](std::string& warning) { warning = fileName + ": " + warning; });
   MakeNamesReadable(mesh->GetPointData());
   MakeNamesReadable(mesh->GetCellData());
   MakeNamesReadable(mesh->GetFieldData());

@@ -318,6 +318,32 @@ class TestCarveFiles(CarveTestCase):
         level = read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetBlock(0)
         self.assertEqual(level.GetNumberOfPolys(), 4)
 
+    def test_reads_obj_files_with_broken_faces(self):
+        """Faces that refer to nothing, or are lines, cost an OBJ file its attributes alone; a warning names the line."""
+        def carve(head, corners, *more):
+            faces = ((1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4))
+            lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1", *head]
+            lines += ["f " + " ".join(corners.format(corner) for corner in face) for face in faces]
+            with open(self.path("tetrahedron.obj"), "w", encoding="ascii") as file:
+                file.write("\n".join((*lines, *more)))
+            run = self.run_carve("tetrahedron.obj", "-o", "levels.vtm")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            level = read(vtkXMLMultiBlockDataReader, self.path("levels.vtm")).GetBlock(0)
+            self.assertEqual(level.GetNumberOfPolys(), 4)
+            return run.stderr
+
+        texture, normals = ["vt 0 0"] * 4, ["vn 0 0 1"] * 4
+        for head, corners in (([], "{0}"), (texture, "{0}/{0}"), (texture, "{0}/-{0}"), (normals, "{0}//{0}"),
+                              (texture + normals, "{0}/{0}/-{0}")):
+            self.assertEqual(carve(head, corners), "")
+        for head, corners, line in (([], "{0}/", 5), ([], "{0}/{0}", 6), (texture[:3], "{0}/{0}", 9),
+                                    (texture[:3], "{0}/-{0}", 9), (normals[:1], "{0}//{0}", 7),
+                                    (texture, "{0}/{0}/", 9), (texture, "{0}/{0}/{0}", 10), (texture, "{0}/0", 9)):
+            warning = carve(head, corners)
+            self.assertIn("tetrahedron.obj", warning)
+            self.assertIn(f"line {line} ", warning)
+        self.assertIn("line 9 ", carve([], "{0}", "f 1 2"))
+
     def test_writes_json(self):
         """--json writes the table as numbers, with the notes, files and seconds; unknown numbers are null."""
         name = self.path('bo"n\\es \N{SNOWMAN}.off')

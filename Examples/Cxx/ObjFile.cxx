@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ObjFile.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace
+{
+
+/** Of a corner v/t/n, the positions of t and n. */
+constexpr const char* Kinds[] = { "texture coordinate", "normal" };
+
+using Counts = std::array<long, std::size(Kinds)>;
+
+constexpr const char* Blank = " \t\r";
+
+/** Takes the next word from a line; an empty one at its end. */
+std::string_view TakeWord(std::string_view& line)
+{
+  line.remove_prefix(std::min(line.find_first_not_of(Blank), line.size()));
+  const std::string_view word = line.substr(0, line.find_first_of(Blank));
+  line.remove_prefix(word.size());
+  return word;
+}
+
+/**
+ * Reads what a corner refers to behind its slashes; 0 if nothing. Returns whether there is a number
+ * behind the last slash.
+ */
+bool ReadReferences(std::string_view corner, Counts& references)
+{
+  references = {};
+  std::size_t slash = corner.find('/');
+  bool isComplete = true;
+  for (long& reference : references)
+  {
+    if (slash != corner.npos)
+    {
+      std::from_chars(corner.data() + slash + 1, corner.data() + corner.size(), reference);
+      isComplete = reference != 0;
+      slash = corner.find('/', slash + 1);
+    }
+  }
+  return isComplete;
+}
+
+/** Checks the faces of a file line by line. */
+class FaceCheck
+{
+public:
+  void Add(std::string_view line)
+  {
+    ++this->Line;
+    const std::string_view keyword = TakeWord(line);
+    this->Seen[0] += keyword == "vt";
+    this->Seen[1] += keyword == "vn";
+    if (keyword == "f" && this->Mistake.empty())
+    {
+      this->AddFace(line);
+    }
+  }
+
+  /** At the end of the file: an empty string, or the first mistake. */
+  std::string GetMistake() const
+  {
+    std::string mistake = this->Mistake;
+    for (std::size_t kind = 0; mistake.empty() && kind < std::size(Kinds); ++kind)
+    {
+      if (this->Greatest[kind] > this->Seen[kind])
+      {
+        mistake = "line " + std::to_string(this->LineOfGreatest[kind]) + " has a face with " +
+          Kinds[kind] + " " + std::to_string(this->Greatest[kind]) + " of " +
+          std::to_string(this->Seen[kind]);
+      }
+    }
+    return mistake;
+  }
+
+private:
+  void AddFace(std::string_view corners)
+  {
+    int count = 0;
+    for (std::string_view corner; !(corner = TakeWord(corners)).empty(); ++count)
+    {
+      Counts references;
+      if (!ReadReferences(corner, references))
+      {
+        this->SetMistake("has no number behind a slash");
+      }
+      for (std::size_t kind = 0; kind < std::size(Kinds); ++kind)
+      {
+        const long reference = references[kind];
+        if (-reference > this->Seen[kind])
+        {
+          this->SetMistake("has a face with " + std::string(Kinds[kind]) + " " +
+            std::to_string(reference) + " after " + std::to_string(this->Seen[kind]));
+        }
+        if (reference > this->Greatest[kind])
+        {
+          this->Greatest[kind] = reference;
+          this->LineOfGreatest[kind] = this->Line;
+        }
+      }
+    }
+    if (count < 3)
+    {
+      this->SetMistake("has a face with fewer than three corners");
+    }
+  }
+
+  void SetMistake(const std::string& mistake)
+  {
+    this->Mistake = "line " + std::to_string(this->Line) + " " + mistake;
+  }
+
+  long Line = 0;
+  Counts Seen = {}; ///< up to this line
+  Counts Greatest = {}, LineOfGreatest = {};
+  std::string Mistake; ///< one that does not depend on the lines to come
+};
+
+/** Copies a face with its vertices alone, unless there are fewer than three. */
+void CopyFace(std::string_view corners, std::ostream& out)
+{
+  std::string face = "f";
+  int count = 0;
+  for (std::string_view corner; !(corner = TakeWord(corners)).empty(); ++count)
+  {
+    face.append(" ").append(corner.substr(0, corner.find('/')));
+  }
+  out << (count < 3 ? "" : face);
+}
+
+} // namespace
+
+std::string ObjFile::FindMistake(const std::string& fileName)
+{
+  FaceCheck check;
+  std::ifstream in(fileName);
+  for (std::string line; std::getline(in, line);)
+  {
+    check.Add(line);
+  }
+  return check.GetMistake();
+}
+
+void ObjFile::CopyWithoutAttributes(const std::string& fileName, std::ostream& out)
+{
+  std::ifstream in(fileName);
+  for (std::string line; std::getline(in, line); out << '\n')
+  {
+    std::string_view rest = line;
+    const std::string_view keyword = TakeWord(rest);
+    if (keyword == "f")
+    {
+      CopyFace(rest, out);
+    }
+    else if (keyword != "vt" && keyword != "vn")
+    {
+      out << line;
+    }
+  }
+}

@@ -3,6 +3,7 @@
 
 #include "ErrorLog.h"
 #include "Objects.h"
+#include "ReadCarefully.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkGLTFDocumentLoader.h"
@@ -60,10 +61,7 @@ void AddMeshes(vtkMultiBlockDataSet* tree, const std::string& path, const Nodes&
   }
 }
 
-} // namespace
-
-std::string GltfReader::Read(
-  const std::string& fileName, ErrorLog* log, vtkMultiBlockDataSet* meshes)
+std::string ReadAll(const std::string& fileName, ErrorLog* log, vtkMultiBlockDataSet* meshes)
 {
   const std::size_t errorsBefore = log->Errors.size();
   vtkNew<vtkGLTFReader> reader;
@@ -75,4 +73,12 @@ std::string GltfReader::Read(
     AddMeshes(reader->GetOutput(), "", document->GetInternalModel()->Nodes, meshes);
   }
   return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+}
+
+} // namespace
+
+std::string GltfReader::Read(
+  const std::string& fileName, ErrorLog* log, vtkMultiBlockDataSet* meshes)
+{
+  return ReadCarefully([&] { return ReadAll(fileName, log, meshes); });
 }

@@ -5,6 +5,7 @@
 #include "FileName.h"
 #include "ObjFile.h"
 #include "OffReader.h"
+#include "ReadCarefully.h"
 #include "System/TemporaryFile.h"
 
 #include "vtkAbstractArray.h"
@@ -40,6 +41,13 @@ std::string ReadWith(const std::string& fileName, ErrorLog* log, vtkPolyData* me
   reader->Update();
   mesh->ShallowCopy(reader->GetOutput());
   return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+}
+
+/** For readers that crash on many broken files. */
+template <class Reader>
+std::string ReadCarefullyWith(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+{
+  return ReadCarefully([&] { return ReadWith<Reader>(fileName, log, mesh); });
 }
 
 std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
@@ -92,9 +100,9 @@ std::string ReadFormat(
 {
   using Read = std::string (*)(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh);
   const std::map<std::string, Read> formats = { { ".obj", &ReadObj },
-    { ".off", &ReadOffAsPolyData }, { ".ply", &ReadWith<vtkPLYReader> },
+    { ".off", &ReadOffAsPolyData }, { ".ply", &ReadCarefullyWith<vtkPLYReader> },
     { ".stl", &ReadWith<vtkSTLReader> }, { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
-    { ".vtk", &ReadWith<vtkPolyDataReader> } };
+    { ".vtk", &ReadCarefullyWith<vtkPolyDataReader> } };
   const auto format = formats.find(extension);
   if (format == formats.end())
   {

@@ -84,6 +84,12 @@ std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> 
   {
     return "The input has more points or cells than a 32-bit integer can count.";
   }
+  if (!std::all_of(
+        cells.begin(), cells.end(), [](vtkCellArray* array) { return array->IsValid(); }))
+  {
+    return "The offsets of the input's cells do not fit their corners. Make the input anew, or "
+           "read it from a file that is whole.";
+  }
   std::vector<char> used;
   const std::string mistake = FindUsed(input, cells, used);
   if (!mistake.empty())

@@ -51,8 +51,8 @@ void VisitCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> wanted,
 
 /**
  * Returns an empty string, or the reason why these cells cannot be carved: their number exceeds
- * 32-bit integers, a cell has a point that does not exist, a coordinate is not finite, or products
- * of coordinates are not finite.
+ * 32-bit integers, their arrays contradict each other, a cell has a point that does not exist, a
+ * coordinate is not finite, or products of coordinates are not finite.
  */
 std::string CheckCells(vtkPolyData* input, std::initializer_list<vtkCellArray*> cells);
 

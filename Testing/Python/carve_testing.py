@@ -49,8 +49,8 @@ class CarveTestCase(unittest.TestCase):
 
     def run_carve(self, *arguments, **environment):
         return subprocess.run(
-            [CARVE, *arguments], capture_output=True, encoding="utf-8", cwd=self.folder,
-            env={**os.environ, **environment})
+            [CARVE, *arguments], capture_output=True, encoding="utf-8", errors="backslashreplace",
+            cwd=self.folder, env={**os.environ, **environment})
 
     def table(self, *arguments):
         """Runs carve and returns its table: level, step, vertices, triangles, components, tunnels, voids."""

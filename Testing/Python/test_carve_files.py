@@ -8,6 +8,7 @@ import gzip
 import json
 import math
 import os
+import random
 import resource
 import shutil
 import struct
@@ -19,7 +20,7 @@ from meshes import two_cubes
 from vtkmodules.vtkCommonCore import VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkConvertToPartitionedDataSetCollection
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkOBJWriter, vtkSTLReader, vtkSTLWriter
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
@@ -319,7 +320,7 @@ class TestCarveFiles(CarveTestCase):
         self.assertEqual(level.GetNumberOfPolys(), 4)
 
     def test_reads_obj_files_with_broken_faces(self):
-        """Faces that refer to nothing, or are lines, cost an OBJ file its attributes alone; a warning names the line."""
+        """Faces that refer to nothing, or are lines, cost an OBJ file its attributes; a warning names the line."""
         def carve(head, corners, *more):
             faces = ((1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4))
             lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1", *head]
@@ -408,6 +409,38 @@ class TestCarveFiles(CarveTestCase):
             shutil.copyfileobj(plain, packed)
         os.truncate(name, 20000)
         self.expect_failure(self.run_carve(name), 1, "cut.off.gz", "gzip")
+
+    def test_survives_damaged_files(self):
+        """A file that ends early, or has wrong bytes, gives levels or an error, and never a crash."""
+        mesh = vtkPlaneSource()
+        mesh.SetResolution(3, 3)
+        writers = [("a.vtp", vtkXMLPolyDataWriter), ("a.obj", vtkOBJWriter)]
+        for writer, extension in ((vtkPLYWriter, "ply"), (vtkSTLWriter, "stl"), (vtkPolyDataWriter, "vtk")):
+            writers += [("text." + extension, writer), ("binary." + extension, writer)]
+        draw = random.Random(7)
+        for name, writer_class in writers:
+            writer = writer_class()
+            writer.SetFileName(self.path(name))
+            writer.SetInputConnection(mesh.GetOutputPort())
+            if not name.startswith("a."):
+                (writer.SetFileTypeToASCII if name.startswith("text") else writer.SetFileTypeToBinary)()
+            writer.Write()
+            with open(self.path(name), "rb") as file:
+                whole = file.read()
+            for damage in range(16):
+                content = bytearray(whole)
+                if damage % 2:
+                    for _ in range(draw.choice((1, 3, 10))):
+                        content[draw.randrange(len(content))] = draw.choice((*b"0123456789 -.\n", draw.randrange(256)))
+                else:
+                    del content[draw.randrange(len(content)):]
+                with open(self.path("damaged-" + name), "wb") as file:
+                    file.write(content)
+                with self.subTest(name=name, damage=damage):
+                    run = self.run_carve("damaged-" + name, "--initial-approximation", "bounding-box", "--levels", "1")
+                    self.assertIn(run.returncode, (0, 1), run.stderr)
+                    if run.returncode == 1:
+                        self.assertTrue(run.stderr.splitlines()[-1].startswith("carve: "), run.stderr)
 
     def test_refuses_a_truncated_gltf_file(self):
         """A .glb file that ends early is an error."""

@@ -5,6 +5,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkContourCarver.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,6 +21,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using carving::operator+;
 using carving::operator*;
@@ -281,6 +283,33 @@ TEST(Input, NamesACellWithAnUnknownPoint)
     {
       EXPECT_TRUE(
         Has(CarveWithError(filter, input), "Cell 12 has the point " + std::to_string(unknown)));
+    }
+  }
+}
+
+// Offsets that do not divide the array of corners, as a broken file has them, are an error.
+TEST(Input, RefusesOffsetsThatDoNotFit)
+{
+  for (const std::vector<vtkIdType>& numbers :
+    { std::vector<vtkIdType>{ 1, 3, 6 }, { 0, 4, 3, 6 }, { 0, 3, 9 }, { 0, 3 }, { 0, -3, 6 } })
+  {
+    vtkNew<vtkIdTypeArray> offsets, corners;
+    for (const vtkIdType number : numbers)
+    {
+      offsets->InsertNextValue(number);
+    }
+    for (const vtkIdType corner : { 0, 1, 2, 2, 1, 3 })
+    {
+      corners->InsertNextValue(corner);
+    }
+    auto input = QuadBoxes();
+    input->GetPolys()->SetData(offsets, corners);
+    vtkNew<vtkTopologyCarver> carver;
+    vtkNew<vtkContourCarver> contourCarver;
+    for (vtkCarverAlgorithm* filter :
+      std::initializer_list<vtkCarverAlgorithm*>{ carver, contourCarver })
+    {
+      EXPECT_TRUE(Has(CarveWithError(filter, input), "offsets"));
     }
   }
 }

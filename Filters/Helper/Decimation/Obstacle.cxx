@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace carving::helper
 {
@@ -16,6 +17,118 @@ namespace
 
 /** The distance that contacts leave, as a fraction of M's diagonal: well above rounding errors. */
 constexpr double RelativeMargin = 2e-9;
+
+/** A part of the solid that is lost when faces around w replace those of a star. */
+template <std::size_t N>
+struct LostPart
+{
+  explicit LostPart(const std::array<Point, N>& corners)
+    : Bounds(BoxAround(corners))
+  {
+    std::transform(corners.begin(), corners.end(), this->Corners.begin(),
+      [](const Point& corner) { return ToInexact(corner); });
+  }
+
+  Box Bounds;
+  std::array<Inexact::Point_3, N> Corners;
+};
+
+using LostTetrahedron = LostPart<4>;
+using LostTriangle = LostPart<3>;
+
+/** Where a face of a star lies behind an edge that another face has in the reverse direction. */
+enum class Beyond
+{
+  Nothing,      ///< the other face has no such edge
+  Continuation, ///< the other face is on the other side of the edge
+  OtherSide     ///< the faces are the two sides of a sheet that ends at the edge
+};
+
+/** Compares two faces in a plane with w, which is in front of edge k of the first one. */
+Beyond Compare(const std::array<Point, 3>& face, int k, const std::array<Point, 3>& other)
+{
+  const Point &x = face[k], &y = face[(k + 1) % 3];
+  for (int i = 0; i < 3; ++i)
+  {
+    if (other[i] == y && other[(i + 1) % 3] == x)
+    {
+      return CGAL::coplanar_orientation(ToInexact(x), ToInexact(y), ToInexact(face[(k + 2) % 3]),
+               ToInexact(other[(i + 2) % 3])) == CGAL::POSITIVE
+        ? Beyond::OtherSide
+        : Beyond::Continuation;
+    }
+  }
+  return Beyond::Nothing;
+}
+
+/** Whether a sheet ends at an edge of one of the faces of a star that lie in a plane. */
+bool EndsSheet(
+  const std::vector<std::array<Point, 3>>& faces, const std::array<Point, 3>& face, int k)
+{
+  bool ends = false;
+  for (const auto& other : faces)
+  {
+    const Beyond beyond = Compare(face, k, other);
+    if (beyond == Beyond::Continuation)
+    {
+      return false; // the other side continues there, too
+    }
+    ends |= beyond == Beyond::OtherSide;
+  }
+  return ends;
+}
+
+/** The parts of sheets between w and those ends that vanish with the star. */
+std::vector<LostTriangle> FindLostFromSheets(const Star& star, const Point& w)
+{
+  const auto isInPlane = [&w](const std::array<Point, 3>& face)
+  {
+    const auto [a, b, c] = ToInexact(face);
+    return CGAL::orientation(a, b, c, ToInexact(w)) == CGAL::COPLANAR;
+  };
+  std::vector<std::array<Point, 3>> flat;
+  std::copy_if(star.Corners.begin(), star.Corners.end(), std::back_inserter(flat), isInPlane);
+  std::vector<LostTriangle> lost;
+  for (std::size_t i = 0; i < star.Corners.size(); ++i)
+  {
+    const std::array<Point, 3>& face = star.Corners[i];
+    for (int k = 0; k < 3 && isInPlane(face); ++k)
+    {
+      const Point &x = face[k], &y = face[(k + 1) % 3], &z = face[(k + 2) % 3];
+      const bool remains = i < star.Link.size() && star.Link[i] == std::array{ x, y };
+      if (!remains &&
+        CGAL::coplanar_orientation(ToInexact(x), ToInexact(y), ToInexact(z), ToInexact(w)) ==
+          CGAL::POSITIVE &&
+        EndsSheet(flat, face, k))
+      {
+        lost.emplace_back(std::array{ x, y, w });
+      }
+    }
+  }
+  return lost;
+}
+
+/** Whether a triangle pierces a lost tetrahedron, or overlaps a face of one in an area. */
+bool Meets(const Piercer& triangle, const LostTetrahedron& lost)
+{
+  return triangle.FindContact(lost.Corners).Exists();
+}
+
+/** Whether a triangle overlaps a lost one in an area. */
+bool Meets(const Piercer& triangle, const LostTriangle& lost)
+{
+  return std::all_of(lost.Corners.begin(), lost.Corners.end(),
+           [&](const auto& corner) { return triangle.SideOf(corner) == CGAL::COPLANAR; }) &&
+    Overlap(triangle.GetCorners(), lost.Corners);
+}
+
+/** Whether a triangle with a bounding box loses a point together with any lost part. */
+template <class Part>
+bool MeetsAny(const Piercer& triangle, const Box& bounds, const std::vector<Part>& lost)
+{
+  return std::any_of(lost.begin(), lost.end(),
+    [&](const Part& part) { return part.Bounds.Overlaps(bounds) && Meets(triangle, part); });
+}
 
 } // namespace
 
@@ -136,36 +249,36 @@ std::optional<FirstContact> Obstacle::FindContact(
  * A point of M leaves the solid only if some removed tetrahedron contains the point in its
  * interior, in its face on the surface, or in a face between two removed tetrahedra. M is the
  * closure of its triangles' interiors, so a triangle that neither pierces a tetrahedron nor
- * overlaps a face of one in an area loses no point.
+ * overlaps a face of one in an area loses no point. Where the solid is a sheet without thickness,
+ * the same holds within its plane: of triangles between w and the ends of the sheet.
  */
 bool Obstacle::StaysEnclosed(const Star& star, const Point& w)
 {
-  struct Removed
-  {
-    Box Bounds;
-    Corners4 Corners;
-  };
-  std::vector<Removed> removed;
-  removed.reserve(star.Corners.size());
-  Box region;
+  std::vector<LostTetrahedron> tetrahedra;
+  tetrahedra.reserve(star.Corners.size());
+  bool anyFlat = false;
   for (const auto& face : star.Corners)
   {
     const auto [a, b, c] = ToInexact(face);
-    const Corners4 corners = { a, c, b, ToInexact(w) };
-    if (CGAL::orientation(a, b, c, corners[3]) == CGAL::NEGATIVE)
+    const CGAL::Orientation side = CGAL::orientation(a, b, c, ToInexact(w));
+    anyFlat |= side == CGAL::COPLANAR;
+    if (side == CGAL::NEGATIVE)
     {
-      removed.push_back({ BoxAround({ face[0], face[1], face[2], w }), corners });
-      region.Add(removed.back().Bounds);
+      tetrahedra.emplace_back(std::array{ face[0], face[2], face[1], w });
     }
   }
+  const std::vector<LostTriangle> triangles =
+    anyFlat ? FindLostFromSheets(star, w) : std::vector<LostTriangle>();
+  Box region;
+  const auto addToRegion = [&region](const auto& part) { region.Add(part.Bounds); };
+  std::for_each(tetrahedra.begin(), tetrahedra.end(), addToRegion);
+  std::for_each(triangles.begin(), triangles.end(), addToRegion);
   this->MoveTo(star, { w });
   return !this->Triangles.AnyOverlap(region,
-    [&removed](const Box& bounds, const std::array<Point, 3>& corners)
+    [&](const Box& bounds, const std::array<Point, 3>& corners)
     {
       const Piercer triangle(ToInexact(corners));
-      return std::any_of(removed.begin(), removed.end(),
-        [&](const Removed& other)
-        { return other.Bounds.Overlaps(bounds) && triangle.FindContact(other.Corners).Exists(); });
+      return MeetsAny(triangle, bounds, tetrahedra) || MeetsAny(triangle, bounds, triangles);
     });
 }
 

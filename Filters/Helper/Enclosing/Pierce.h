@@ -90,6 +90,11 @@ class Piercer
 public:
   explicit Piercer(const Corners3& corners);
 
+  const Corners3& GetCorners() const
+  {
+    return this->Corners;
+  }
+
   /** The contact with a positively oriented tetrahedron. */
   Contact FindContact(const Corners4& tetrahedron) const;
 

@@ -89,6 +89,20 @@ double FindTimeOfValley(const ResolvedMesh& mesh)
   return FindTime(mesh, { 2.0, 0.5, 1.5 }, ring, { 2.0, 0.5, 0.0 });
 }
 
+/** A regular polygon in a plane at a height, as a fan around its center, which comes last. */
+ResolvedMesh MakePolygon(int corners, double radius, double height)
+{
+  ResolvedMesh polygon;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / corners;
+    polygon.Points.push_back({ radius * std::cos(angle), radius * std::sin(angle), height });
+    polygon.Facets.push_back({ i, (i + 1) % corners, corners });
+  }
+  polygon.Points.push_back({ 0.0, 0.0, height });
+  return polygon;
+}
+
 } // namespace
 
 // A vertex that moves down stops at a wall, however that is divided.
@@ -159,5 +173,33 @@ TEST(Obstacle, StopsFaces)
     {
       EXPECT_NEAR(FindTime(MakeCube(n), w, ring, to) * (1.0 + expected), expected, Accuracy) << run;
     }
+  }
+}
+
+// A corner of a sheet without thickness may move in the sheet's plane as long as a smaller sheet of
+// the same shape stays inside, and never out of the plane: one side would cut the other's faces off.
+TEST(Obstacle, StaysEnclosedBySheets)
+{
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> anyShare(0.05, 0.95), anyRadius(0.05, 1.3),
+    height(-5.0, 5.0);
+  for (int run = 0; run < 200; ++run)
+  {
+    const int corners = 3 + run % 6;
+    const double share = anyShare(random), radius = anyRadius(random), z = height(random);
+    ResolvedMesh sides = MakePolygon(corners, 1.0, z);
+    sides.Points.push_back(sides.Points.back()); // the center of the lower side
+    for (int i = 0; i < corners; ++i)
+    {
+      sides.Facets.push_back({ (i + 1) % corners, i, corners + 1 });
+    }
+    const helper::Star star(helper::AsSurfaceMesh(sides), Vertex(0));
+    const ResolvedMesh inside = MakePolygon(corners, share, z);
+    const FacetTree<3> tree(inside);
+    helper::Obstacle obstacle(tree);
+    EXPECT_EQ(obstacle.StaysEnclosed(star, { radius, 0.0, z }), radius > share) << run;
+    const ResolvedMesh same = MakePolygon(corners, 1.0, z);
+    const FacetTree<3> treeOfSame(same);
+    EXPECT_FALSE(helper::Obstacle(treeOfSame).StaysEnclosed(star, { radius, 0.0, z + 0.1 })) << run;
   }
 }

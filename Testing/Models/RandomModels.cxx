@@ -4,6 +4,7 @@
 #include "PointMath.h"
 #include "Shapes.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace models
@@ -141,6 +142,35 @@ TriangleMesh Assembly(int n, std::mt19937_64& random)
     const double scale = 0.5 + 0.05 * static_cast<double>(random() % 10);
     const double x = quarters(), y = quarters(), z = quarters();
     mesh = Joined(mesh, Moved(part, { x, y, z }, scale));
+  }
+  return mesh;
+}
+
+TriangleMesh Discs(int n, std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> place(0.0, 4.0), size(0.5, 2.0);
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    const int axis = static_cast<int>(random() % 3), corners = 5 + static_cast<int>(random() % 16);
+    const double height = static_cast<double>(random() % 5);
+    const double u = place(random), v = place(random), radius = size(random);
+    TriangleMesh disc;
+    const auto add = [&](double x, double y)
+    {
+      Point& p = disc.Points.emplace_back();
+      p[axis] = height;
+      p[(axis + 1) % 3] = u + x;
+      p[(axis + 2) % 3] = v + y;
+    };
+    add(0.0, 0.0);
+    for (int k = 0; k < corners; ++k)
+    {
+      const double angle = 2.0 * M_PI * k / corners;
+      add(radius * std::cos(angle), radius * std::sin(angle));
+      disc.Triangles.push_back({ 0, 1 + k, 1 + (k + 1) % corners });
+    }
+    mesh = Joined(mesh, disc);
   }
   return mesh;
 }

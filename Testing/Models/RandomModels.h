@@ -38,6 +38,12 @@ TriangleMesh BoxSoup(int n, std::mt19937_64& random);
  */
 TriangleMesh Assembly(int n, std::mt19937_64& random);
 
+/**
+ * `n` flat discs of 5 to 20 corners without thickness, in the planes of a small grid, so that some
+ * cross or overlap.
+ */
+TriangleMesh Discs(int n, std::mt19937_64& random);
+
 /** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 

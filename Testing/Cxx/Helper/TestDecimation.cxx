@@ -143,11 +143,11 @@ struct LevelOfMesh
   TriangleMesh M;
 };
 
-/** A level of a carving of a random mesh. Folds show both sides. */
-LevelOfMesh RandomLevel(std::mt19937_64& random)
+/** A random level of a carving of a mesh. Folds show both sides. */
+LevelOfMesh RandomLevel(const TriangleMesh& mesh, std::mt19937_64& random)
 {
   Job job;
-  job.Mesh = models::MakeRandom(random).Mesh;
+  job.Mesh = mesh;
   job.Conformity = Conformity::Auto;
   const HelperRun run = RunHelper(job);
   if (!run.Succeeded())
@@ -166,6 +166,25 @@ LevelOfMesh RandomLevel(std::mt19937_64& random)
     level.Surface.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);
   }
   return level;
+}
+
+/** Expects results of half and an eighth of a level's vertices that enclose what they have to. */
+void ExpectToEncloseDecimated(const LevelOfMesh& level, bool nested, std::mt19937_64& random)
+{
+  if (level.Surface.Points.size() <= 4)
+  {
+    return; // there is no level, or no vertex that could go
+  }
+  const TriangleMesh& inside = nested ? level.Surface : level.M;
+  const double half = std::floor(level.Surface.Points.size() / 2.0);
+  Decimation decimation;
+  ASSERT_EQ(
+    DecimateEnclosing(level.Surface, inside, OptionsFor({ half, half / 4 }, nested), decimation),
+    "");
+  for (const Result& result : GetResults(decimation))
+  {
+    ExpectEnclosingSurface(level.Surface, inside, result, random);
+  }
 }
 
 } // namespace
@@ -236,21 +255,20 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);
-    const LevelOfMesh level = RandomLevel(random);
-    if (level.Surface.Points.size() > 4)
-    {
-      const bool nested = i % 2 == 0;
-      const TriangleMesh& inside = nested ? level.Surface : level.M;
-      const double half = std::floor(level.Surface.Points.size() / 2.0);
-      Decimation decimation;
-      ASSERT_EQ(DecimateEnclosing(
-                  level.Surface, inside, OptionsFor({ half, half / 4 }, nested), decimation),
-        "");
-      for (const Result& result : GetResults(decimation))
-      {
-        ExpectEnclosingSurface(level.Surface, inside, result, random);
-      }
-    }
+    const TriangleMesh mesh = models::MakeRandom(random).Mesh;
+    ExpectToEncloseDecimated(RandomLevel(mesh, random), i % 2 == 0, random);
+  }
+}
+
+// The same for flat sheets, whose corners move in the sheets' planes.
+TEST(Decimation, EnclosesLevelsOfFlatSheets)
+{
+  for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
+  {
+    SCOPED_TRACE(i);
+    std::mt19937_64 random(i);
+    const TriangleMesh mesh = models::Discs(2 + i % 4, random);
+    ExpectToEncloseDecimated(RandomLevel(mesh, random), i % 4 == 0, random);
   }
 }
 

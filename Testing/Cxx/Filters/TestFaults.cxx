@@ -175,7 +175,7 @@ TEST(Faults, NotesThatTheResultDependsOnALimit)
   // for an attempt. The sphere lowers the number of crossings per triangle, so that TetGen is tried.
   std::mt19937_64 random(1);
   const auto mesh =
-    models::Joined(models::Soup(270, random), models::Moved(models::Sphere(4), { 10, 0, 0 }));
+    models::Joined(models::Soup(328, random), models::Moved(models::Sphere(5), { 10, 0, 0 }));
   vtkNew<vtkTopologyCarver> carver;
   carver->SetEnclosingTolerance(0.0);
   Carve(carver, ToPolyData(mesh));

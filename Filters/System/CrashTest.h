@@ -9,8 +9,8 @@
 #include <functional>
 
 /**
- * Whether some work crashes. On Linux, a copy of this process does the work, with no effect on this
- * process. Elsewhere, nothing is tried, and the answer is no.
+ * Whether some work crashes, or ends the process otherwise. On Linux, a copy of this process does
+ * the work, with no effect on this process. Elsewhere, nothing is tried, and the answer is no.
  */
 bool Crashes(const std::function<void()>& work);
 

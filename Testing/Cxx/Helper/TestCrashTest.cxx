@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work that is tried in a copy of the process, on Linux.
+#include "System/CrashTest.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+
+// Work that ends the process by a signal, an exception or an exit crashes; other work does not.
+TEST(CrashTest, TellsHowWorkEnds)
+{
+  EXPECT_FALSE(Crashes([] {}));
+  EXPECT_TRUE(Crashes([] { std::raise(SIGKILL); }));
+  EXPECT_TRUE(Crashes([] { std::abort(); }));
+  EXPECT_TRUE(Crashes([] { std::_Exit(1); }));
+  EXPECT_TRUE(Crashes([] { throw 1; }));
+}
+
+// What the work changes, it changes in the copy alone.
+TEST(CrashTest, LeavesNoTrace)
+{
+  int number = 1;
+  EXPECT_FALSE(Crashes([&number] { number = 2; }));
+  EXPECT_EQ(number, 1);
+}

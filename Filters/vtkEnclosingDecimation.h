@@ -23,7 +23,7 @@
  *   input. `vtkOriginalPointIds` is the point of the input at the same position, or -1.
  * - field data: `Vertices`, `NewVertices` (vertices that are not points of the input), `Triangles`,
  *   and `Error`, the largest distance of any point of the surface from the input, which is at most
- *   1 % too large.
+ *   1 % too large, or more where the surface lies on slivers of the input.
  *
  * A target below the number at which no further edge can collapse gives the coarsest surface
  * that was reached, and a warning. Tunnels need vertices, and so do thin gaps.

@@ -74,7 +74,8 @@ struct DecimatedSurface
   int Collapses = 0;
   /** 0 if no further edge could collapse before the target, or the given surface is too far. */
   int Reached = 1;
-  double Error = 0.0; ///< the largest distance from the enclosed mesh; at most 1 % too large
+  /** The largest distance from the enclosed mesh; at most 1 % too large, or more above slivers. */
+  double Error = 0.0;
 };
 
 /** The results of JobKind::Decimate. */

@@ -83,7 +83,7 @@ TriangleMesh CopyOf(const SurfaceMesh& surface)
   return copy;
 }
 
-/** The largest distance of any point of the surface from a mesh. It may be 1 % too large. */
+/** An upper bound of the largest distance of any point of the surface from a mesh. */
 double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance)
 {
   const auto cornersOf = [&](std::size_t i)

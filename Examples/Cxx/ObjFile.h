@@ -11,7 +11,7 @@ namespace ObjFile
 
 /**
  * Describes a face that has fewer than three corners, or refers to texture coordinates or normals
- * that the file does not have. Returns an empty string if there is none.
+ * that the file does not have, or counts them backward. Returns an empty string if there is none.
  */
 std::string FindMistake(const std::string& fileName);
 

@@ -334,12 +334,12 @@ class TestCarveFiles(CarveTestCase):
             return run.stderr
 
         texture, normals = ["vt 0 0"] * 4, ["vn 0 0 1"] * 4
-        for head, corners in (([], "{0}"), (texture, "{0}/{0}"), (texture, "{0}/-{0}"), (normals, "{0}//{0}"),
-                              (texture + normals, "{0}/{0}/-{0}")):
+        for head, corners in (([], "{0}"), (texture, "{0}/{0}"), (normals, "{0}//{0}"),
+                              (texture + normals, "{0}/{0}/{0}")):
             self.assertEqual(carve(head, corners), "")
         for head, corners, line in (([], "{0}/", 5), ([], "{0}/{0}", 6), (texture[:3], "{0}/{0}", 9),
-                                    (texture[:3], "{0}/-{0}", 9), (normals[:1], "{0}//{0}", 7),
-                                    (texture, "{0}/{0}/", 9), (texture, "{0}/{0}/{0}", 10), (texture, "{0}/0", 9)):
+                                    (texture, "{0}/-{0}", 9), (texture + normals, "{0}/{0}/-{0}", 13),
+                                    (normals[:1], "{0}//{0}", 7), (texture, "{0}/{0}/", 9), (texture, "{0}/{0}/{0}", 10), (texture, "{0}/0", 9)):
             warning = carve(head, corners)
             self.assertIn("tetrahedron.obj", warning)
             self.assertIn(f"line {line} ", warning)

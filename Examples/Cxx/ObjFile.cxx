@@ -64,7 +64,7 @@ public:
     }
   }
 
-  /** At the end of the file: an empty string, or the first mistake. */
+  /** At the end of the file: an empty string, or a mistake. */
   std::string GetMistake() const
   {
     std::string mistake = this->Mistake;

@@ -339,7 +339,8 @@ class TestCarveFiles(CarveTestCase):
             self.assertEqual(carve(head, corners), "")
         for head, corners, line in (([], "{0}/", 5), ([], "{0}/{0}", 6), (texture[:3], "{0}/{0}", 9),
                                     (texture, "{0}/-{0}", 9), (texture + normals, "{0}/{0}/-{0}", 13),
-                                    (normals[:1], "{0}//{0}", 7), (texture, "{0}/{0}/", 9), (texture, "{0}/{0}/{0}", 10), (texture, "{0}/0", 9)):
+                                    (normals[:1], "{0}//{0}", 7), (texture, "{0}/{0}/", 9),
+                                    (texture, "{0}/{0}/{0}", 10), (texture, "{0}/0", 9)):
             warning = carve(head, corners)
             self.assertIn("tetrahedron.obj", warning)
             self.assertIn(f"line {line} ", warning)

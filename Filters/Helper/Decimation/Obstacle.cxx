@@ -36,72 +36,59 @@ struct LostPart
 using LostTetrahedron = LostPart<4>;
 using LostTriangle = LostPart<3>;
 
-/** Where a face of a star lies behind an edge that another face has in the reverse direction. */
-enum class Beyond
+/** The side of a triangle's edge from corner k on: positive where the triangle is. */
+CGAL::Orientation SideOfEdge(const std::array<Point, 3>& triangle, int k, const Point& p)
 {
-  Nothing,      ///< the other face has no such edge
-  Continuation, ///< the other face is on the other side of the edge
-  OtherSide     ///< the faces are the two sides of a sheet that ends at the edge
-};
-
-/** Compares two faces in a plane with w, which is in front of edge k of the first one. */
-Beyond Compare(const std::array<Point, 3>& face, int k, const std::array<Point, 3>& other)
-{
-  const Point &x = face[k], &y = face[(k + 1) % 3];
-  for (int i = 0; i < 3; ++i)
-  {
-    if (other[i] == y && other[(i + 1) % 3] == x)
-    {
-      return CGAL::coplanar_orientation(ToInexact(x), ToInexact(y), ToInexact(face[(k + 2) % 3]),
-               ToInexact(other[(i + 2) % 3])) == CGAL::POSITIVE
-        ? Beyond::OtherSide
-        : Beyond::Continuation;
-    }
-  }
-  return Beyond::Nothing;
+  return CGAL::coplanar_orientation(ToInexact(triangle[k]), ToInexact(triangle[(k + 1) % 3]),
+    ToInexact(triangle[(k + 2) % 3]), ToInexact(p));
 }
 
-/** Whether a sheet ends at an edge of one of the faces of a star that lie in a plane. */
+/**
+ * Whether a sheet ends at the edge of a face from corner k on: another face in its plane has the
+ * same edge and lies on the same side of it, but none continues on the other side.
+ */
 bool EndsSheet(
-  const std::vector<std::array<Point, 3>>& faces, const std::array<Point, 3>& face, int k)
+  const std::vector<std::array<Point, 3>>& inPlane, const std::array<Point, 3>& face, int k)
 {
   bool ends = false;
-  for (const auto& other : faces)
+  for (const auto& other : inPlane)
   {
-    const Beyond beyond = Compare(face, k, other);
-    if (beyond == Beyond::Continuation)
+    for (int i = 0; i < 3; ++i)
     {
-      return false; // the other side continues there, too
+      if (other[i] == face[(k + 1) % 3] && other[(i + 1) % 3] == face[k])
+      {
+        if (SideOfEdge(face, k, other[(i + 2) % 3]) != CGAL::POSITIVE)
+        {
+          return false;
+        }
+        ends = true;
+      }
     }
-    ends |= beyond == Beyond::OtherSide;
   }
   return ends;
 }
 
-/** The parts of sheets between w and those ends that vanish with the star. */
-std::vector<LostTriangle> FindLostFromSheets(const Star& star, const Point& w)
+/**
+ * The parts of sheets between w and those ends that vanish with the star. `flat` are the indices of
+ * its faces in a plane with w.
+ */
+std::vector<LostTriangle> FindLostFromSheets(
+  const Star& star, const std::vector<std::size_t>& flat, const Point& w)
 {
-  const auto isInPlane = [&w](const std::array<Point, 3>& face)
-  {
-    const auto [a, b, c] = ToInexact(face);
-    return CGAL::orientation(a, b, c, ToInexact(w)) == CGAL::COPLANAR;
-  };
-  std::vector<std::array<Point, 3>> flat;
-  std::copy_if(star.Corners.begin(), star.Corners.end(), std::back_inserter(flat), isInPlane);
+  std::vector<std::array<Point, 3>> faces;
+  std::transform(flat.begin(), flat.end(), std::back_inserter(faces),
+    [&star](std::size_t i) { return star.Corners[i]; });
   std::vector<LostTriangle> lost;
-  for (std::size_t i = 0; i < star.Corners.size(); ++i)
+  for (const std::size_t i : flat)
   {
     const std::array<Point, 3>& face = star.Corners[i];
-    for (int k = 0; k < 3 && isInPlane(face); ++k)
+    for (int k = 0; k < 3; ++k)
     {
-      const Point &x = face[k], &y = face[(k + 1) % 3], &z = face[(k + 2) % 3];
-      const bool remains = i < star.Link.size() && star.Link[i] == std::array{ x, y };
-      if (!remains &&
-        CGAL::coplanar_orientation(ToInexact(x), ToInexact(y), ToInexact(z), ToInexact(w)) ==
-          CGAL::POSITIVE &&
-        EndsSheet(flat, face, k))
+      const std::array<Point, 2> edge = { face[k], face[(k + 1) % 3] };
+      const bool remains = i < star.Link.size() && star.Link[i] == edge;
+      if (!remains && SideOfEdge(face, k, w) == CGAL::POSITIVE && EndsSheet(faces, face, k))
       {
-        lost.emplace_back(std::array{ x, y, w });
+        lost.emplace_back(std::array{ edge[0], edge[1], w });
       }
     }
   }
@@ -122,7 +109,7 @@ bool Meets(const Piercer& triangle, const LostTriangle& lost)
     Overlap(triangle.GetCorners(), lost.Corners);
 }
 
-/** Whether a triangle with a bounding box loses a point together with any lost part. */
+/** Whether a triangle with a bounding box may lose a point with any lost part. */
 template <class Part>
 bool MeetsAny(const Piercer& triangle, const Box& bounds, const std::vector<Part>& lost)
 {
@@ -250,25 +237,28 @@ std::optional<FirstContact> Obstacle::FindContact(
  * interior, in its face on the surface, or in a face between two removed tetrahedra. M is the
  * closure of its triangles' interiors, so a triangle that neither pierces a tetrahedron nor
  * overlaps a face of one in an area loses no point. Where the solid is a sheet without thickness,
- * the same holds within its plane: of triangles between w and the ends of the sheet.
+ * the same holds within its plane for the triangles between w and the ends of the sheet.
  */
 bool Obstacle::StaysEnclosed(const Star& star, const Point& w)
 {
   std::vector<LostTetrahedron> tetrahedra;
   tetrahedra.reserve(star.Corners.size());
-  bool anyFlat = false;
-  for (const auto& face : star.Corners)
+  std::vector<std::size_t> flat;
+  for (std::size_t i = 0; i < star.Corners.size(); ++i)
   {
+    const std::array<Point, 3>& face = star.Corners[i];
     const auto [a, b, c] = ToInexact(face);
     const CGAL::Orientation side = CGAL::orientation(a, b, c, ToInexact(w));
-    anyFlat |= side == CGAL::COPLANAR;
     if (side == CGAL::NEGATIVE)
     {
       tetrahedra.emplace_back(std::array{ face[0], face[2], face[1], w });
     }
+    else if (side == CGAL::COPLANAR)
+    {
+      flat.push_back(i);
+    }
   }
-  const std::vector<LostTriangle> triangles =
-    anyFlat ? FindLostFromSheets(star, w) : std::vector<LostTriangle>();
+  const std::vector<LostTriangle> triangles = FindLostFromSheets(star, flat, w);
   Box region;
   const auto addToRegion = [&region](const auto& part) { region.Add(part.Bounds); };
   std::for_each(tetrahedra.begin(), tetrahedra.end(), addToRegion);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace
 {
@@ -19,11 +20,42 @@ using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-const carving::ResolvedMesh& GetMesh(
-  const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream)
+/**
+ * M with its parts that are faces of cells, or an empty mesh in exact mode, where M consists of
+ * these. The points that divide M are rounded, so that levels enclose the parts, and M only up to
+ * these roundings. If a surface were only to enclose M, it could lose what is outside by a rounding.
+ */
+carving::ResolvedMesh AddParts(const DecomposedLeaf<3>& leaf, const carving::ResolvedMesh& surface)
 {
-  const carving::ResolvedMesh& unresolved = leaf.Reply.Result.Unresolved;
-  return unresolved.Facets.empty() ? stream.Mesh.Surface : unresolved;
+  carving::ResolvedMesh mesh = leaf.Reply.Result.Unresolved;
+  if (mesh.Facets.empty())
+  {
+    return mesh;
+  }
+  const auto own = static_cast<int>(mesh.Points.size());
+  std::vector<int> indices(surface.Points.size(), -1);
+  std::iota(indices.begin(), indices.begin() + own, 0);
+  for (std::size_t i = 0; i < surface.Facets.size(); ++i)
+  {
+    carving::Triangle corners = surface.Facets[i];
+    if (std::all_of(corners.begin(), corners.end(), [own](int corner) { return corner < own; }))
+    {
+      continue; // a facet of M
+    }
+    for (int& corner : corners)
+    {
+      int& index = indices[corner];
+      if (index < 0)
+      {
+        index = static_cast<int>(mesh.Points.size());
+        mesh.Points.push_back(surface.Points[corner]);
+        mesh.PointSources.push_back(-1);
+      }
+      corner = index;
+    }
+    carving::AppendFacet<3>(surface, i, corners, mesh);
+  }
+  return mesh;
 }
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
@@ -54,7 +86,8 @@ TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStr
   int threads, CarverStages& stages)
   : Stream(stream)
   , Stages(stages)
-  , Mesh(GetMesh(leaf, stream))
+  , MeshWithParts(AddParts(leaf, stream.Mesh.Surface))
+  , Mesh(this->MeshWithParts.Facets.empty() ? stream.Mesh.Surface : this->MeshWithParts)
   , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
   , Threads(threads)

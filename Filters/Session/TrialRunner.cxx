@@ -2,6 +2,7 @@
 #include "Session/TrialRunner.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 namespace
 {
@@ -19,44 +19,6 @@ using carving::operator/;
 using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
-
-/**
- * M with its parts that are faces of cells, or an empty mesh in exact mode, where M consists of
- * these. The points that divide M are rounded, so that levels enclose the parts, and M only up to
- * these roundings. If a surface were only to enclose M, it could lose what is outside by a rounding.
- */
-carving::ResolvedMesh AddParts(const DecomposedLeaf<3>& leaf, const carving::ResolvedMesh& surface)
-{
-  carving::ResolvedMesh mesh = leaf.Reply.Result.Unresolved;
-  if (mesh.Facets.empty())
-  {
-    return mesh;
-  }
-  const auto own = static_cast<int>(mesh.Points.size());
-  std::vector<int> indices(surface.Points.size(), -1);
-  std::iota(indices.begin(), indices.begin() + own, 0);
-  for (std::size_t i = 0; i < surface.Facets.size(); ++i)
-  {
-    carving::Triangle corners = surface.Facets[i];
-    if (std::all_of(corners.begin(), corners.end(), [own](int corner) { return corner < own; }))
-    {
-      continue; // a facet of M
-    }
-    for (int& corner : corners)
-    {
-      int& index = indices[corner];
-      if (index < 0)
-      {
-        index = static_cast<int>(mesh.Points.size());
-        mesh.Points.push_back(surface.Points[corner]);
-        mesh.PointSources.push_back(-1);
-      }
-      corner = index;
-    }
-    carving::AppendFacet<3>(surface, i, corners, mesh);
-  }
-  return mesh;
-}
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
 constexpr double Hope = 0.9;
@@ -86,8 +48,8 @@ TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStr
   int threads, CarverStages& stages)
   : Stream(stream)
   , Stages(stages)
-  , MeshWithParts(AddParts(leaf, stream.Mesh.Surface))
-  , Mesh(this->MeshWithParts.Facets.empty() ? stream.Mesh.Surface : this->MeshWithParts)
+  , Parts(carving::GatherParts(leaf.Reply.Result, stream.Mesh.Surface))
+  , Mesh(this->Parts.Facets.empty() ? stream.Mesh.Surface : this->Parts)
   , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
   , Threads(threads)

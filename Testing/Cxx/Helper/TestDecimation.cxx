@@ -5,6 +5,7 @@
  */
 #include "Checks.h"
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/Manifold.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
@@ -158,8 +159,8 @@ LevelOfMesh RandomLevel(const TriangleMesh& mesh, std::mt19937_64& random)
   carved.Stored.Folds = FoldSides::Both;
   const int step = static_cast<int>(random() % (carved.Stream.LastStep() + 1));
   const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, ExtractLevel(carved.Stored, step));
-  const bool conforming = run.Reply.Result.Unresolved.Facets.empty();
-  const ResolvedMesh& m = conforming ? carved.Stored.Mesh.Surface : run.Reply.Result.Unresolved;
+  const ResolvedMesh parts = GatherParts(run.Reply.Result, carved.Stored.Mesh.Surface);
+  const ResolvedMesh& m = parts.Facets.empty() ? carved.Stored.Mesh.Surface : parts;
   LevelOfMesh level = { { {}, cut.Faces }, { m.Points, m.Facets } };
   for (const int point : cut.Points)
   {

@@ -5,6 +5,7 @@
  */
 #include "Checks.h"
 #include "Core/Measure/LevelSelection.h"
+#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
 #include "HelperRun.h"
 #include "ManifoldCheck.h"
@@ -323,6 +324,56 @@ TEST(Enclose, KnowsWhichShareIsMet)
   EXPECT_NEAR(reply.MetShare, std::accumulate(met.begin(), met.end(), 0.0) / area, 1e-9);
   EXPECT_GT(reply.MetShare, 0.5);
   EXPECT_LT(reply.MetShare, 1.0); // where the two cross, no triangle can be met
+}
+
+// What levels enclose are all faces on M and, once, all triangles that are not such faces as a whole.
+TEST(Enclose, GathersPartsAndTheRestOfM)
+{
+  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
+    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const Tetrahedralization result = GetReply(mesh, Conformity::Enclosing, 0.02).Result;
+  const ResolvedMesh gathered = GatherParts(result, result.Surface);
+  using Corners = std::multiset<Point>;
+  const auto cornersOf = [](const std::vector<Point>& points, const Triangle& t) {
+    return Corners{ points[t[0]], points[t[1]], points[t[2]] };
+  };
+  std::multiset<Corners> expected, found;
+  std::size_t faces = 0, unmet = 0;
+  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const int other = result.Neighbors[cell][f];
+      if (result.Constraints[cell][f] >= 0 && other < static_cast<int>(cell))
+      {
+        const Triangle face = result.OutwardFace(static_cast<int>(cell), f);
+        expected.insert(cornersOf(result.Surface.Points, face));
+        ++faces;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < result.MetShares.size(); ++i)
+  {
+    if (result.MetShares[i] < 1.0)
+    {
+      expected.insert(cornersOf(result.Unresolved.Points, result.Unresolved.Facets[i]));
+      ++unmet;
+    }
+  }
+  for (const Triangle& t : gathered.Facets)
+  {
+    found.insert(cornersOf(gathered.Points, t));
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_GT(faces, mesh.Triangles.size() - unmet); // some are divided
+  EXPECT_GT(unmet, 0u);
+}
+
+// A mesh that is met in exact mode needs no parts.
+TEST(Enclose, GathersNoPartsInExactMode)
+{
+  const Tetrahedralization result = GetReply(models::Sphere(1), Conformity::Exact).Result;
+  EXPECT_TRUE(GatherParts(result, result.Surface).Facets.empty());
 }
 
 // Pierced tetrahedra are never carved and have no priority.

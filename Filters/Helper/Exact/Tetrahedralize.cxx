@@ -4,6 +4,7 @@
 #include "Core/Mesh/Buckets.h"
 #include "Helper/Base/Effort.h"
 #include "Helper/Base/Kernels.h"
+#include "Helper/Exact/FindConstraints.h"
 #include "Helper/Exact/Hull.h"
 #include "Helper/Exact/SplitFacets.h"
 
@@ -29,28 +30,60 @@ bool AreInPlane(const std::vector<Point>& points, const ResolvedMesh& surface)
     });
 }
 
-/** `classes` has the class of each facet, or is empty if every facet has to stay whole. */
-void Fill(tetgenio& io, const std::vector<Point>& points, const ResolvedMesh& surface,
-  const std::vector<int>& classes)
+/**
+ * TetGen's input. The polygons and their corners lie in two arrays: to make and to release them one
+ * by one, as TetGen does, takes a fiftieth of its time.
+ */
+class TetGenInput
 {
-  io.numberofpoints = static_cast<int>(points.size());
-  io.pointlist = new REAL[3 * points.size()];
-  std::copy_n(points.front().data(), 3 * points.size(), io.pointlist);
-  io.numberoffacets = static_cast<int>(surface.Facets.size());
-  io.facetlist = new tetgenio::facet[surface.Facets.size()];
-  io.facetmarkerlist = new int[surface.Facets.size()];
-  for (int i = 0; i < io.numberoffacets; ++i)
+public:
+  /** `classes` has the class of each facet, or is empty if every facet has to stay whole. */
+  TetGenInput(
+    const std::vector<Point>& points, const ResolvedMesh& surface, const std::vector<int>& classes);
+  ~TetGenInput();
+  TetGenInput(const TetGenInput&) = delete;
+  TetGenInput& operator=(const TetGenInput&) = delete;
+
+  tetgenio* Get()
   {
-    tetgenio::facet& facet = io.facetlist[i];
+    return &this->Io;
+  }
+
+private:
+  tetgenio Io;
+  std::vector<Triangle> Corners;
+  std::vector<tetgenio::polygon> Polygons;
+};
+
+TetGenInput::TetGenInput(
+  const std::vector<Point>& points, const ResolvedMesh& surface, const std::vector<int>& classes)
+  : Corners(surface.Facets)
+  , Polygons(surface.Facets.size())
+{
+  this->Io.numberofpoints = static_cast<int>(points.size());
+  this->Io.pointlist = new REAL[3 * points.size()];
+  std::copy_n(points.front().data(), 3 * points.size(), this->Io.pointlist);
+  this->Io.numberoffacets = static_cast<int>(surface.Facets.size());
+  this->Io.facetlist = new tetgenio::facet[surface.Facets.size()];
+  this->Io.facetmarkerlist = new int[surface.Facets.size()];
+  for (int i = 0; i < this->Io.numberoffacets; ++i)
+  {
+    this->Polygons[i].numberofvertices = 3;
+    this->Polygons[i].vertexlist = this->Corners[i].data();
+    tetgenio::facet& facet = this->Io.facetlist[i];
     tetgenio::init(&facet);
     facet.numberofpolygons = 1;
-    facet.polygonlist = new tetgenio::polygon[1];
-    tetgenio::polygon& polygon = facet.polygonlist[0];
-    polygon.numberofvertices = 3;
-    polygon.vertexlist = new int[3];
-    std::copy_n(surface.Facets[i].data(), 3, polygon.vertexlist);
+    facet.polygonlist = &this->Polygons[i];
     // TetGen merges coplanar facets of the same marker. 0 marks faces of the hull.
-    io.facetmarkerlist[i] = 1 + (classes.empty() ? i : classes[i]);
+    this->Io.facetmarkerlist[i] = 1 + (classes.empty() ? i : classes[i]);
+  }
+}
+
+TetGenInput::~TetGenInput()
+{
+  for (int i = 0; i < this->Io.numberoffacets; ++i)
+  {
+    tetgenio::init(&this->Io.facetlist[i]); // TetGen would release the polygons
   }
 }
 
@@ -107,92 +140,18 @@ std::ptrdiff_t CountInvertedCells(const Tetrahedralization& result)
     });
 }
 
-Triangle Sorted(Triangle t)
-{
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
-/** A triangle of M in the bucket of its least corner. */
-struct SortedFacet
-{
-  std::array<int, 2> Greater; ///< the other corners, ascending
-  int Index;
-
-  bool operator<(const SortedFacet& other) const
-  {
-    return this->Greater < other.Greater;
-  }
-};
-
-/** The face of a cell that it shares with a neighbor. */
-int FaceTowards(const Tetrahedralization& mesh, int cell, int neighbor)
-{
-  const auto& neighbors = mesh.Neighbors[cell];
-  const auto found = std::find(neighbors.begin(), neighbors.end(), neighbor);
-  return static_cast<int>(found - neighbors.begin()) % 4; // % for neighbors that are not mutual
-}
-
-/** Finds the triangles of M among the faces; returns the number of missing triangles. */
-std::size_t FindConstraints(Tetrahedralization& result)
-{
-  const std::vector<Triangle>& triangles = result.Surface.Facets;
-  // Cells are in the order of their least corners, so that searches in buckets stay near in memory.
-  Buckets<SortedFacet> facets(result.Surface.Points.size(),
-    [&](const auto& visit)
-    {
-      for (std::size_t i = 0; i < triangles.size(); ++i)
-      {
-        const auto [least, middle, greatest] = Sorted(triangles[i]);
-        visit(least, SortedFacet{ { middle, greatest }, static_cast<int>(i) });
-      }
-    });
-  for (int point = 0; point < facets.GetNumberOfBuckets(); ++point)
-  {
-    std::sort(facets[point].begin(), facets[point].end());
-  }
-  std::vector<char> found(triangles.size(), 0);
-  result.Constraints.assign(result.Cells.size(), { -1, -1, -1, -1 });
-  for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      const int neighbor = result.Neighbors[cell][f];
-      if (neighbor >= 0 && neighbor < cell)
-      {
-        continue; // the neighbor has searched for their common face
-      }
-      const auto [least, middle, greatest] = Sorted(result.OutwardFace(cell, f));
-      const SortedFacet face = { { middle, greatest }, -1 };
-      const auto bucket = facets[least];
-      const auto facet = std::lower_bound(bucket.begin(), bucket.end(), face);
-      if (facet != bucket.end() && facet->Greater == face.Greater)
-      {
-        found[facet->Index] = 1;
-        result.Constraints[cell][f] = facet->Index;
-        if (neighbor >= 0)
-        {
-          result.Constraints[neighbor][FaceTowards(result, neighbor, cell)] = facet->Index;
-        }
-      }
-    }
-  }
-  return std::count(found.begin(), found.end(), 0);
-}
-
 /** Returns how TetGen ended. */
 Ending CallTetGen(const std::vector<Point>& points, const ResolvedMesh& surface,
   const std::vector<int>& classes, tetgenio& out)
 {
-  tetgenio in;
-  Fill(in, points, surface, classes);
+  TetGenInput in(points, surface, classes);
   // p: constrained by the facets; c: keep the hull; Y: no Steiner points on the surface; O0/0: no
   // optimization, which takes ten times as long as the rest; T: the default tolerance merges close
   // vertices; n: output neighbors; J: keep the numbering of points; Q: quiet.
   char whole[] = "pcYO0/0T1e-14nJQ", split[] = "pcO0/0T1e-14nJQ";
   try
   {
-    tetrahedralize(classes.empty() ? whole : split, &in, &out);
+    tetrahedralize(classes.empty() ? whole : split, in.Get(), &out);
   }
   catch (int code)
   {

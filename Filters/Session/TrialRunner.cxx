@@ -2,8 +2,8 @@
 #include "Session/TrialRunner.h"
 
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Surface/LevelParts.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
 
@@ -19,6 +19,13 @@ using carving::operator/;
 using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
+
+const carving::ResolvedMesh& GetMesh(
+  const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream)
+{
+  const carving::ResolvedMesh& unresolved = leaf.Reply.Result.Unresolved;
+  return unresolved.Facets.empty() ? stream.Mesh.Surface : unresolved;
+}
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
 constexpr double Hope = 0.9;
@@ -48,8 +55,7 @@ TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStr
   int threads, CarverStages& stages)
   : Stream(stream)
   , Stages(stages)
-  , Parts(carving::GatherParts(leaf.Reply.Result, stream.Mesh.Surface))
-  , Mesh(this->Parts.Facets.empty() ? stream.Mesh.Surface : this->Parts)
+  , Mesh(GetMesh(leaf, stream))
   , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
   , Threads(threads)
@@ -87,6 +93,7 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   job.Kind = carving::JobKind::Decimate;
   job.Processes = this->Threads;
   job.Mesh = { this->Mesh.Points, this->Mesh.Facets };
+  carving::AppendParts(stream, level, job.Mesh);
   job.Surface.Triangles = cut.Faces;
   for (const int point : cut.Points)
   {

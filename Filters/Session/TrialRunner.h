@@ -52,7 +52,6 @@ private:
 
   const carving::StoredStream<3>& Stream;
   CarverStages& Stages;
-  const carving::ResolvedMesh Parts; ///< of M; empty in exact mode
   const carving::ResolvedMesh& Mesh; ///< M
   double Diagonal;                   ///< of M
   carving::FaceDistance<3> Distance; ///< from M

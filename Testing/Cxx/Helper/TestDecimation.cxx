@@ -5,8 +5,8 @@
  */
 #include "Checks.h"
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Surface/LevelParts.h"
 #include "Core/Surface/Manifold.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
 #include "HelperRun.h"
@@ -158,10 +158,12 @@ LevelOfMesh RandomLevel(const TriangleMesh& mesh, std::mt19937_64& random)
   Carved carved = CarveResult(run.Reply.Result);
   carved.Stored.Folds = FoldSides::Both;
   const int step = static_cast<int>(random() % (carved.Stream.LastStep() + 1));
-  const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, ExtractLevel(carved.Stored, step));
-  const ResolvedMesh parts = GatherParts(run.Reply.Result, carved.Stored.Mesh.Surface);
-  const ResolvedMesh& m = parts.Facets.empty() ? carved.Stored.Mesh.Surface : parts;
+  const Level<3> extracted = ExtractLevel(carved.Stored, step);
+  const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, extracted);
+  const bool conforming = run.Reply.Result.Unresolved.Facets.empty();
+  const ResolvedMesh& m = conforming ? carved.Stored.Mesh.Surface : run.Reply.Result.Unresolved;
   LevelOfMesh level = { { {}, cut.Faces }, { m.Points, m.Facets } };
+  AppendParts(carved.Stored, extracted, level.M);
   for (const int point : cut.Points)
   {
     level.Surface.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);

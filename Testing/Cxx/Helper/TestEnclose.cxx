@@ -5,8 +5,8 @@
  */
 #include "Checks.h"
 #include "Core/Measure/LevelSelection.h"
-#include "Core/Mesh/GatherParts.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Surface/LevelParts.h"
 #include "HelperRun.h"
 #include "ManifoldCheck.h"
 #include "PropertyChecks.h"
@@ -326,54 +326,57 @@ TEST(Enclose, KnowsWhichShareIsMet)
   EXPECT_LT(reply.MetShare, 1.0); // where the two cross, no triangle can be met
 }
 
-// What levels enclose are all faces on M and, once, all triangles that are not such faces as a whole.
-TEST(Enclose, GathersPartsAndTheRestOfM)
+// All faces of a level that lie on M are triangles of M or parts that are appended to these.
+TEST(Enclose, AppendsThePartsOnALevel)
 {
   const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
     models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
-  const Tetrahedralization result = GetReply(mesh, Conformity::Enclosing, 0.02).Result;
-  const ResolvedMesh gathered = GatherParts(result, result.Surface);
+  const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.02);
+  const Carved carved = CarveResult(reply.Result);
   using Corners = std::multiset<Point>;
   const auto cornersOf = [](const std::vector<Point>& points, const Triangle& t) {
     return Corners{ points[t[0]], points[t[1]], points[t[2]] };
   };
-  std::multiset<Corners> expected, found;
-  std::size_t faces = 0, unmet = 0;
-  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  std::set<Corners> triangles;
+  for (const Triangle& t : mesh.Triangles)
   {
-    for (int f = 0; f < 4; ++f)
+    triangles.insert(cornersOf(mesh.Points, t));
+  }
+  std::size_t appended = 0;
+  for (const int step : SpreadLevels(carved.Profile, 4))
+  {
+    const Level<3> level = ExtractLevel(carved.Stored, step);
+    std::multiset<Corners> expected, found;
+    for (const FaceLife<3>& face : level.Faces)
     {
-      const int other = result.Neighbors[cell][f];
-      if (result.Constraints[cell][f] >= 0 && other < static_cast<int>(cell))
+      const Corners corners = cornersOf(carved.Mesh.Surface.Points, face.Corners);
+      if (face.Constraint >= 0 && triangles.count(corners) == 0)
       {
-        const Triangle face = result.OutwardFace(static_cast<int>(cell), f);
-        expected.insert(cornersOf(result.Surface.Points, face));
-        ++faces;
+        expected.insert(corners);
       }
     }
-  }
-  for (std::size_t i = 0; i < result.MetShares.size(); ++i)
-  {
-    if (result.MetShares[i] < 1.0)
+    TriangleMesh input = { reply.Result.Unresolved.Points, reply.Result.Unresolved.Facets };
+    const auto own = static_cast<std::ptrdiff_t>(input.Triangles.size());
+    AppendParts(carved.Stored, level, input);
+    for (auto part = input.Triangles.begin() + own; part != input.Triangles.end(); ++part)
     {
-      expected.insert(cornersOf(result.Unresolved.Points, result.Unresolved.Facets[i]));
-      ++unmet;
+      found.insert(cornersOf(input.Points, *part));
     }
+    EXPECT_EQ(found, expected);
+    appended += found.size();
   }
-  for (const Triangle& t : gathered.Facets)
-  {
-    found.insert(cornersOf(gathered.Points, t));
-  }
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(faces, mesh.Triangles.size() - unmet); // some are divided
-  EXPECT_GT(unmet, 0u);
+  EXPECT_GT(appended, 0u);
 }
 
-// A mesh that is met in exact mode needs no parts.
-TEST(Enclose, GathersNoPartsInExactMode)
+// In exact mode, no face is a part.
+TEST(Enclose, AppendsNoPartsInExactMode)
 {
-  const Tetrahedralization result = GetReply(models::Sphere(1), Conformity::Exact).Result;
-  EXPECT_TRUE(GatherParts(result, result.Surface).Facets.empty());
+  const Reply reply = GetReply(models::Sphere(1), Conformity::Exact);
+  const Carved carved = CarveResult(reply.Result);
+  TriangleMesh input = { reply.Result.Surface.Points, reply.Result.Surface.Facets };
+  const std::size_t own = input.Triangles.size();
+  AppendParts(carved.Stored, ExtractLevel(carved.Stored, carved.Stream.LastStep()), input);
+  EXPECT_EQ(input.Triangles.size(), own);
 }
 
 // Pierced tetrahedra are never carved and have no priority.

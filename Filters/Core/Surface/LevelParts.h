@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * The faces of a level that lie on M only up to roundings. Not in the paper.
+ */
+#ifndef carving_LevelParts_h
+#define carving_LevelParts_h
+
+#include "Core/Mesh/Mesh.h"
+#include "Core/Stream/Level.h"
+
+namespace carving
+{
+
+/**
+ * Appends those faces of a level to `input`, which is M, that are parts of its triangles. There are
+ * none in exact mode.
+ *
+ * In enclosing mode, the points that divide a triangle of M are rounded, so that levels enclose the
+ * parts, and the triangle only up to these roundings. A surface that changes has to be kept around
+ * the parts, too: kept around the triangle alone, the surface could lose all of the triangle that a
+ * rounding has left outside.
+ */
+void AppendParts(const StoredStream<3>& stream, const Level<3>& level, TriangleMesh& input);
+
+} // namespace carving
+
+#endif

@@ -47,6 +47,11 @@ void ErrorLog::DisplayGenericWarningText(const char* text)
   this->AddWarning(text);
 }
 
+std::string ErrorLog::GetErrorSince(std::size_t errorsBefore) const
+{
+  return this->Errors.size() > errorsBefore ? this->Errors[errorsBefore] : "";
+}
+
 void ErrorLog::AddWarning(const char* text)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -4,6 +4,7 @@
 
 #include "vtkOutputWindow.h"
 
+#include <cstddef>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ public:
   void DisplayErrorText(const char* text) override;
   void DisplayWarningText(const char* text) override;
   void DisplayGenericWarningText(const char* text) override;
+
+  /** The first error after so many, or an empty string. */
+  std::string GetErrorSince(std::size_t errorsBefore) const;
 
   // Threads may write files beside each other. Nobody reads these lists meanwhile.
   std::vector<std::string> Errors;

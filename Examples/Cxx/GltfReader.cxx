@@ -72,7 +72,7 @@ std::string ReadAll(const std::string& fileName, ErrorLog* log, vtkMultiBlockDat
   {
     AddMeshes(reader->GetOutput(), "", document->GetInternalModel()->Nodes, meshes);
   }
-  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+  return log->GetErrorSince(errorsBefore);
 }
 
 } // namespace

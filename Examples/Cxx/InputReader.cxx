@@ -61,7 +61,7 @@ std::string ReadTree(const std::string& fileName, ErrorLog* log, vtkMultiBlockDa
   reader->SetFileName(fileName.c_str());
   reader->Update();
   AddLeaves(vtkDataObjectTree::SafeDownCast(reader->GetOutputDataObject(0)), "", leaves);
-  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+  return log->GetErrorSince(errorsBefore);
 }
 
 } // namespace

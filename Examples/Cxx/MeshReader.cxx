@@ -40,7 +40,7 @@ std::string ReadWith(const std::string& fileName, ErrorLog* log, vtkPolyData* me
   reader->SetFileName(fileName.c_str());
   reader->Update();
   mesh->ShallowCopy(reader->GetOutput());
-  return log->Errors.size() > errorsBefore ? log->Errors[errorsBefore] : "";
+  return log->GetErrorSince(errorsBefore);
 }
 
 /** For readers that crash on many broken files. */

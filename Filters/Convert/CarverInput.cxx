@@ -7,9 +7,11 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolygon.h"
 #include "vtkTriangleStrip.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
@@ -24,8 +26,8 @@ public:
   }
 
   /**
-   * Returns triangles for the whole polygon. A polygon without a proper triangulation becomes a
-   * fan.
+   * Returns triangles for the whole polygon. If the polygon has no proper triangulation, its ears
+   * are cut off, as vtkTriangleFilter does, and the rest becomes a fan.
    */
   vtkCellArray* Cut(vtkIdType size, const vtkIdType* corners)
   {
@@ -40,10 +42,13 @@ public:
     {
       this->NumberOfFans += count > 3;
       this->Triangles->Reset();
-      for (vtkIdType i = 2; i < count; ++i)
+      if (count > 3 && count <= MostForEars)
       {
-        this->Triangles->InsertNextCell(
-          { this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i) });
+        this->CutEars();
+      }
+      for (vtkIdType i = 2; i < this->Corners->GetNumberOfIds(); ++i)
+      {
+        this->AddTriangle(0, i - 1, i);
       }
     }
     return this->Triangles;
@@ -55,6 +60,9 @@ public:
   }
 
 private:
+  /** To cut ears can take cubic time. */
+  static constexpr vtkIdType MostForEars = 300;
+
   /** Takes all corners, except those that coincide with the corner before. */
   void TakeDistinct(vtkIdType size, const vtkIdType* corners)
   {
@@ -69,6 +77,53 @@ private:
         this->Corners->InsertNextId(corners[i]);
       }
     }
+  }
+
+  /** Adds the triangles that vtkPolygon finds, and keeps the corners that are left. */
+  void CutEars()
+  {
+    const vtkIdType count = this->Corners->GetNumberOfIds();
+    vtkNew<vtkPolygon> polygon;
+    polygon->Initialize(static_cast<int>(count), this->Corners->GetPointer(0), this->Points);
+    vtkNew<vtkIdList> ears; // three places in the polygon each
+    polygon->Triangulate(ears);
+    std::vector<vtkIdType> left(count); // places
+    std::iota(left.begin(), left.end(), 0);
+    for (vtkIdType ear = 0; ear + 2 < ears->GetNumberOfIds(); ear += 3)
+    {
+      const vtkIdType* const places = ears->GetPointer(ear);
+      const auto size = static_cast<vtkIdType>(left.size());
+      const auto isOfEar = [&](vtkIdType i)
+      { return std::find(places, places + 3, left[(i + size) % size]) != places + 3; };
+      vtkIdType tip = 0;
+      while (tip < size && !(isOfEar(tip - 1) && isOfEar(tip) && isOfEar(tip + 1)))
+      {
+        ++tip;
+      }
+      if (size < 3 || tip == size)
+      {
+        break; // not an ear of what is left
+      }
+      const vtkIdType before = left[(tip + size - 1) % size], after = left[(tip + 1) % size];
+      this->AddTriangle(before, left[tip], after);
+      left.erase(left.begin() + tip);
+    }
+    this->Keep(left);
+  }
+
+  void Keep(const std::vector<vtkIdType>& places)
+  {
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      this->Corners->SetId(static_cast<vtkIdType>(i), this->Corners->GetId(places[i]));
+    }
+    this->Corners->SetNumberOfIds(static_cast<vtkIdType>(places.size()));
+  }
+
+  void AddTriangle(vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    this->Triangles->InsertNextCell(
+      { this->Corners->GetId(i), this->Corners->GetId(j), this->Corners->GetId(k) });
   }
 
   vtkPoints* Points;

@@ -3,11 +3,15 @@
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkStaticCellLocator.h"
+#include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 using carving::Point;
 
@@ -121,6 +125,57 @@ TEST(InputPolygons, MayCrossThemselves)
   for (int i = 0; i < CountLevels(carver); ++i)
   {
     EXPECT_EQ(GetLevel(carver, i)->GetBounds()[5], 2.0);
+  }
+}
+
+// The last level contains all that vtkTriangleFilter makes of random polygons, most of which cross
+// themselves.
+TEST(InputPolygons, AreKeptAsVtkSeesThem)
+{
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Point> points;
+  Polygons polygons;
+  for (int i = 0; i < 60; ++i)
+  {
+    std::vector<vtkIdType>& polygon = polygons.emplace_back();
+    const int size = 4 + i % 5;
+    for (int corner = 0; corner < size; ++corner)
+    {
+      polygon.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back({ uniform(random), uniform(random), 0.25 * i });
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(points, polygons);
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(mesh);
+  triangulate->Update();
+  vtkPolyData* triangles = triangulate->GetOutput();
+  vtkNew<vtkStaticCellLocator> locator;
+  const auto carver = Carve(mesh);
+  locator->SetDataSet(LastLevel(carver));
+  locator->BuildLocator();
+  ASSERT_GT(triangles->GetNumberOfCells(), 60);
+  for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
+  {
+    double corners[3][3], closest[3], distance = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      triangles->GetPoint(triangles->GetCell(i)->GetPointId(k), corners[k]);
+    }
+    for (int sample = 0; sample < 10; ++sample)
+    {
+      const double u = uniform(random), v = (1.0 - u) * uniform(random);
+      double p[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        p[axis] = (1.0 - u - v) * corners[0][axis] + u * corners[1][axis] + v * corners[2][axis];
+      }
+      vtkIdType cell;
+      int part;
+      locator->FindClosestPoint(p, closest, cell, part, distance);
+      EXPECT_LT(distance, 1e-18) << "squared, polygon at " << p[2]; // all sheets are flat
+    }
   }
 }
 

@@ -15,9 +15,10 @@
  * - output port 1: vtkUnstructuredGrid, the stream: tetrahedra, triangles, steps
  * - output port 2: vtkTable, the profile: a row per step, row 0 is C0
  *
- * Polygons of more than three corners are triangulated as by vtkContourTriangulator. Where corners
- * are not in one plane, other triangulations are other surfaces, which levels need not enclose. To
- * choose one, apply vtkTriangleFilter first.
+ * Polygons of more than three corners are triangulated as by vtkTriangleFilter where it succeeds.
+ * Polygons with holes or of more than 300 corners are triangulated by vtkContourTriangulator. Where
+ * corners are not in one plane, other triangulations are other surfaces, which levels need not
+ * enclose.
  *
  * The method is that of "Carving for topology simplification of polygonal meshes", which README.md
  * cites in full. Section and equation numbers in this documentation refer to that paper.

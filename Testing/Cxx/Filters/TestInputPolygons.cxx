@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
+#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkStaticCellLocator.h"
@@ -129,7 +130,7 @@ TEST(InputPolygons, MayCrossThemselves)
 }
 
 // The last level contains all that vtkTriangleFilter makes of random polygons, most of which cross
-// themselves.
+// themselves. Every other polygon is not flat.
 TEST(InputPolygons, AreKeptAsVtkSeesThem)
 {
   std::mt19937_64 random(11);
@@ -143,7 +144,8 @@ TEST(InputPolygons, AreKeptAsVtkSeesThem)
     for (int corner = 0; corner < size; ++corner)
     {
       polygon.push_back(static_cast<vtkIdType>(points.size()));
-      points.push_back({ uniform(random), uniform(random), 0.25 * i });
+      const double height = i % 2 * 0.1 * uniform(random);
+      points.push_back({ uniform(random), uniform(random), 0.25 * i + height });
     }
   }
   const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(points, polygons);
@@ -174,9 +176,77 @@ TEST(InputPolygons, AreKeptAsVtkSeesThem)
       vtkIdType cell;
       int part;
       locator->FindClosestPoint(p, closest, cell, part, distance);
-      EXPECT_LT(distance, 1e-18) << "squared, polygon at " << p[2]; // all sheets are flat
+      EXPECT_LT(distance, 1e-18) << "squared, polygon at " << p[2];
     }
   }
+}
+
+// Polygons that are not quite flat, with corners within their sides, become the triangles that
+// vtkTriangleFilter makes of them.
+TEST(InputPolygons, MayNotBeFlat)
+{
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Point> points;
+  Polygons polygons;
+  for (int i = 0; i < 40; ++i)
+  {
+    std::vector<vtkIdType>& polygon = polygons.emplace_back();
+    const int inSide = 1 + i % 3; // corners within each side of a square
+    for (int corner = 0; corner < 4 * (inSide + 1); ++corner)
+    {
+      const int side = corner / (inSide + 1);
+      const double along = corner % (inSide + 1) / (inSide + 1.0);
+      const double u = side % 2 ? 1.0 : along, v = side % 2 ? along : 0.0;
+      polygon.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back(
+        { side < 2 ? u : 1.0 - u, side < 2 ? v : 1.0 - v, i + 1e-3 * uniform(random) });
+    }
+  }
+  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(points, polygons);
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(mesh);
+  triangulate->Update();
+  const auto carver = Carve(mesh);
+  EXPECT_EQ(GetNotes(carver), "");
+  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(triangulate->GetOutput()));
+}
+
+// A polygon that bends inward stays as it is though its corners are roundings away from a plane.
+TEST(InputPolygons, MayBendInward)
+{
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<Point> points;
+  Polygons polygons;
+  double area = 0.0;
+  constexpr int stairs = 300;
+  for (int i = 0; i < stairs; ++i)
+  {
+    std::vector<vtkIdType>& polygon = polygons.emplace_back();
+    const auto add = [&](double x, double y)
+    {
+      polygon.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back({ x, y, 2.0 * i + 1e-6 * uniform(random) });
+    };
+    double x = 0.0, y = 0.0;
+    for (int step = 0; step < 5; ++step)
+    {
+      const double wide = 0.1 + uniform(random), high = 0.1 + uniform(random);
+      add(x, y);
+      add(x + wide, y);
+      x += wide;
+      y += high;
+      area += x * high;
+    }
+    add(x, y);
+    add(0.0, y);
+  }
+  const auto carver = Carve(MakeMesh(points, polygons));
+  EXPECT_EQ(GetNotes(carver), "");
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputData(LastLevel(carver));
+  EXPECT_NEAR(properties->GetSurfaceArea(), area, 1e-6 * area);
 }
 
 // Strips keep their orientation, and may turn by repeated corners.

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Convert/PolygonCutter.h"
+
+#include "vtkContourTriangulator.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+
+/** To cut ears can take cubic time. */
+constexpr vtkIdType MostCornersForEars = 300;
+
+} // namespace
+
+vtkCellArray* PolygonCutter::Cut(vtkIdType size, const vtkIdType* corners)
+{
+  this->TakeDistinct(size, corners);
+  this->Triangles->Reset();
+  this->Ears->Reset();
+  const vtkIdType count = this->Corners->GetNumberOfIds();
+  this->Left.resize(count);
+  std::iota(this->Left.begin(), this->Left.end(), 0);
+  bool isProper = true;
+  if (count > 3)
+  {
+    vtkContourTriangulator::TriangulatePolygon(this->Corners, this->Points, this->Triangles);
+    isProper = this->Triangles->GetNumberOfCells() == count - 2;
+    if (isProper && count > MostCornersForEars)
+    {
+      return this->Triangles;
+    }
+    if (count <= MostCornersForEars)
+    {
+      this->CutEars();
+    }
+    if (isProper && !this->AreEarsAsGood())
+    {
+      return this->Triangles;
+    }
+  }
+  for (std::size_t i = 2; i < this->Left.size(); ++i)
+  {
+    this->AddEar(this->Left[0], this->Left[i - 1], this->Left[i]);
+  }
+  this->NumberOfFans += !isProper && this->DoEarsOverlap();
+  return this->Ears;
+}
+
+/** Takes all corners, except those that coincide with the corner before. */
+void PolygonCutter::TakeDistinct(vtkIdType size, const vtkIdType* corners)
+{
+  this->Corners->Reset();
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    double p[3], before[3];
+    this->Points->GetPoint(corners[i], p);
+    this->Points->GetPoint(corners[i > 0 ? i - 1 : size - 1], before);
+    if (!std::equal(p, p + 3, before))
+    {
+      this->Corners->InsertNextId(corners[i]);
+    }
+  }
+}
+
+/** Takes the triangles that vtkPolygon finds as ears, until one is no ear of what is left. */
+void PolygonCutter::CutEars()
+{
+  vtkNew<vtkPolygon> polygon;
+  polygon->Initialize(
+    static_cast<int>(this->Corners->GetNumberOfIds()), this->Corners->GetPointer(0), this->Points);
+  vtkNew<vtkIdList> ears; // three places in the polygon each
+  polygon->Triangulate(ears);
+  for (vtkIdType ear = 0; ear + 2 < ears->GetNumberOfIds(); ear += 3)
+  {
+    const vtkIdType* const places = ears->GetPointer(ear);
+    const std::size_t size = this->Left.size();
+    const auto isOfEar = [&](std::size_t i)
+    { return std::find(places, places + 3, this->Left[i % size]) != places + 3; };
+    std::size_t before = 0;
+    while (before < size && !(isOfEar(before) && isOfEar(before + 1) && isOfEar(before + 2)))
+    {
+      ++before;
+    }
+    if (size < 3 || before == size)
+    {
+      return;
+    }
+    const std::size_t tip = (before + 1) % size;
+    this->AddEar(this->Left[before], this->Left[tip], this->Left[(before + 2) % size]);
+    this->Left.erase(this->Left.begin() + static_cast<std::ptrdiff_t>(tip));
+  }
+}
+
+/** Adds the triangle between three places in the polygon. */
+void PolygonCutter::AddEar(vtkIdType i, vtkIdType j, vtkIdType k)
+{
+  this->Ears->InsertNextCell(
+    { this->Corners->GetId(i), this->Corners->GetId(j), this->Corners->GetId(k) });
+}
+
+/** Whether the ears are the whole polygon and overlap no more than the other triangles. */
+bool PolygonCutter::AreEarsAsGood() const
+{
+  constexpr double withRoundings = 1.0 + 1e-9;
+  return this->Left.size() < 3 &&
+    this->MeasureAlongNormal(this->Ears) <=
+    withRoundings * this->MeasureAlongNormal(this->Triangles);
+}
+
+/** Whether there is no area, or more than that of a polygon that does not cross itself. */
+bool PolygonCutter::DoEarsOverlap() const
+{
+  constexpr double withRoundings = 1.0 + 1e-6;
+  double normal[3];
+  this->FindNormal(normal);
+  const double area = vtkMath::Norm(normal);
+  return area == 0.0 || this->MeasureAlongNormal(this->Ears) > withRoundings * area;
+}
+
+/** Sets the normal of the polygon, with twice its area as the length. */
+void PolygonCutter::FindNormal(double normal[3]) const
+{
+  std::fill_n(normal, 3, 0.0);
+  for (vtkIdType i = 2; i < this->Corners->GetNumberOfIds(); ++i)
+  {
+    double cross[3];
+    this->FindCross(
+      { this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i) }, cross);
+    vtkMath::Add(normal, cross, normal);
+  }
+}
+
+/** Sets the normal of a triangle, with twice its area as the length. */
+void PolygonCutter::FindCross(const std::array<vtkIdType, 3>& corners, double cross[3]) const
+{
+  double p[3], q[3], r[3];
+  this->Points->GetPoint(corners[0], p);
+  this->Points->GetPoint(corners[1], q);
+  this->Points->GetPoint(corners[2], r);
+  vtkMath::Subtract(q, p, q);
+  vtkMath::Subtract(r, p, r);
+  vtkMath::Cross(q, r, cross);
+}
+
+/**
+ * Twice the sum of the triangles' areas as seen along the polygon's normal: the least possible,
+ * unless triangles overlap.
+ */
+double PolygonCutter::MeasureAlongNormal(vtkCellArray* triangles) const
+{
+  double normal[3];
+  this->FindNormal(normal);
+  vtkMath::Normalize(normal);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size;
+    const vtkIdType* corners;
+    triangles->GetCellAtId(i, size, corners);
+    double cross[3];
+    this->FindCross({ corners[0], corners[1], corners[2] }, cross);
+    sum += std::abs(vtkMath::Dot(cross, normal));
+  }
+  return sum;
+}

@@ -69,14 +69,12 @@ void PolygonCutter::TakeDistinct(vtkIdType size, const vtkIdType* corners)
 /** Takes the triangles that vtkPolygon finds as ears, until one is no ear of what is left. */
 void PolygonCutter::CutEars()
 {
-  vtkNew<vtkPolygon> polygon;
-  polygon->Initialize(
+  this->Polygon->Initialize(
     static_cast<int>(this->Corners->GetNumberOfIds()), this->Corners->GetPointer(0), this->Points);
-  vtkNew<vtkIdList> ears; // three places in the polygon each
-  polygon->Triangulate(ears);
-  for (vtkIdType ear = 0; ear + 2 < ears->GetNumberOfIds(); ear += 3)
+  this->Polygon->Triangulate(this->PlacesOfEars);
+  for (vtkIdType ear = 0; ear + 2 < this->PlacesOfEars->GetNumberOfIds(); ear += 3)
   {
-    const vtkIdType* const places = ears->GetPointer(ear);
+    const vtkIdType* const places = this->PlacesOfEars->GetPointer(ear);
     const std::size_t size = this->Left.size();
     const auto isOfEar = [&](std::size_t i)
     { return std::find(places, places + 3, this->Left[i % size]) != places + 3; };

@@ -3,6 +3,7 @@
 
 #include "vtkContourTriangulator.h"
 #include "vtkMath.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +72,11 @@ void PolygonCutter::CutEars()
 {
   this->Polygon->Initialize(
     static_cast<int>(this->Corners->GetNumberOfIds()), this->Corners->GetPointer(0), this->Points);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617)
+  this->Polygon->TriangulateLocalIds(0, this->PlacesOfEars);
+#else
   this->Polygon->Triangulate(this->PlacesOfEars);
+#endif
   for (vtkIdType ear = 0; ear + 2 < this->PlacesOfEars->GetNumberOfIds(); ear += 3)
   {
     const vtkIdType* const places = this->PlacesOfEars->GetPointer(ear);

@@ -20,7 +20,7 @@ public:
   void DisplayWarningText(const char* text) override;
   void DisplayGenericWarningText(const char* text) override;
 
-  /** The first error after so many, or an empty string. */
+  /** The first error that has followed a number of earlier ones, or an empty string. */
   std::string GetErrorSince(std::size_t errorsBefore) const;
 
   // Threads may write files beside each other. Nobody reads these lists meanwhile.

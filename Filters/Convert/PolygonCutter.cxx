@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/PolygonCutter.h"
 
+#include "Core/Mesh/Vector.h"
 #include "vtkContourTriangulator.h"
-#include "vtkMath.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -12,7 +12,11 @@
 namespace
 {
 
-/** To cut ears can take cubic time. */
+using carving::operator+;
+using carving::operator-;
+using carving::operator/;
+
+/** Cutting ears can take cubic time. */
 constexpr vtkIdType MostCornersForEars = 300;
 
 } // namespace
@@ -30,10 +34,6 @@ vtkCellArray* PolygonCutter::Cut(vtkIdType size, const vtkIdType* corners)
   {
     vtkContourTriangulator::TriangulatePolygon(this->Corners, this->Points, this->Triangles);
     isProper = this->Triangles->GetNumberOfCells() == count - 2;
-    if (isProper && count > MostCornersForEars)
-    {
-      return this->Triangles;
-    }
     if (count <= MostCornersForEars)
     {
       this->CutEars();
@@ -57,10 +57,7 @@ void PolygonCutter::TakeDistinct(vtkIdType size, const vtkIdType* corners)
   this->Corners->Reset();
   for (vtkIdType i = 0; i < size; ++i)
   {
-    double p[3], before[3];
-    this->Points->GetPoint(corners[i], p);
-    this->Points->GetPoint(corners[i > 0 ? i - 1 : size - 1], before);
-    if (!std::equal(p, p + 3, before))
+    if (this->GetPoint(corners[i]) != this->GetPoint(corners[i > 0 ? i - 1 : size - 1]))
     {
       this->Corners->InsertNextId(corners[i]);
     }
@@ -109,64 +106,66 @@ void PolygonCutter::AddEar(vtkIdType i, vtkIdType j, vtkIdType k)
 bool PolygonCutter::AreEarsAsGood() const
 {
   constexpr double withRoundings = 1.0 + 1e-9;
-  return this->Left.size() < 3 &&
-    this->MeasureAlongNormal(this->Ears) <=
-    withRoundings * this->MeasureAlongNormal(this->Triangles);
+  if (this->Left.size() > 2)
+  {
+    return false;
+  }
+  const carving::Point normal = this->FindNormal();
+  return this->MeasureAlong(normal, this->Ears) <=
+    withRoundings * this->MeasureAlong(normal, this->Triangles);
 }
 
 /** Whether there is no area, or more than that of a polygon that does not cross itself. */
 bool PolygonCutter::DoEarsOverlap() const
 {
   constexpr double withRoundings = 1.0 + 1e-6;
-  double normal[3];
-  this->FindNormal(normal);
-  const double area = vtkMath::Norm(normal);
-  return area == 0.0 || this->MeasureAlongNormal(this->Ears) > withRoundings * area;
+  const carving::Point normal = this->FindNormal();
+  const double area = carving::Length(normal);
+  return area == 0.0 || this->MeasureAlong(normal, this->Ears) > withRoundings * area;
 }
 
-/** Sets the normal of the polygon, with twice its area as the length. */
-void PolygonCutter::FindNormal(double normal[3]) const
+/** The normal of the polygon, with twice its area as the length. */
+carving::Point PolygonCutter::FindNormal() const
 {
-  std::fill_n(normal, 3, 0.0);
+  carving::Point normal = { 0.0, 0.0, 0.0 };
   for (vtkIdType i = 2; i < this->Corners->GetNumberOfIds(); ++i)
   {
-    double cross[3];
-    this->FindCross(
-      { this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i) }, cross);
-    vtkMath::Add(normal, cross, normal);
+    normal = normal +
+      this->FindNormal(
+        this->Corners->GetId(0), this->Corners->GetId(i - 1), this->Corners->GetId(i));
   }
+  return normal;
 }
 
-/** Sets the normal of a triangle, with twice its area as the length. */
-void PolygonCutter::FindCross(const std::array<vtkIdType, 3>& corners, double cross[3]) const
+/** The normal of a triangle, with twice its area as the length. */
+carving::Point PolygonCutter::FindNormal(vtkIdType a, vtkIdType b, vtkIdType c) const
 {
-  double p[3], q[3], r[3];
-  this->Points->GetPoint(corners[0], p);
-  this->Points->GetPoint(corners[1], q);
-  this->Points->GetPoint(corners[2], r);
-  vtkMath::Subtract(q, p, q);
-  vtkMath::Subtract(r, p, r);
-  vtkMath::Cross(q, r, cross);
+  const carving::Point corner = this->GetPoint(a);
+  return carving::Cross(this->GetPoint(b) - corner, this->GetPoint(c) - corner);
 }
 
 /**
  * Twice the sum of the triangles' areas as seen along the polygon's normal: the least possible,
  * unless triangles overlap.
  */
-double PolygonCutter::MeasureAlongNormal(vtkCellArray* triangles) const
+double PolygonCutter::MeasureAlong(const carving::Point& normal, vtkCellArray* triangles) const
 {
-  double normal[3];
-  this->FindNormal(normal);
-  vtkMath::Normalize(normal);
+  const double length = carving::Length(normal);
+  const carving::Point direction = length > 0.0 ? normal / length : normal;
   double sum = 0.0;
   for (vtkIdType i = 0; i < triangles->GetNumberOfCells(); ++i)
   {
     vtkIdType size;
     const vtkIdType* corners;
     triangles->GetCellAtId(i, size, corners);
-    double cross[3];
-    this->FindCross({ corners[0], corners[1], corners[2] }, cross);
-    sum += std::abs(vtkMath::Dot(cross, normal));
+    sum += std::abs(carving::Dot(this->FindNormal(corners[0], corners[1], corners[2]), direction));
   }
   return sum;
+}
+
+carving::Point PolygonCutter::GetPoint(vtkIdType id) const
+{
+  carving::Point point;
+  this->Points->GetPoint(id, point.data());
+  return point;
 }

@@ -6,13 +6,13 @@
 #ifndef PolygonCutter_h
 #define PolygonCutter_h
 
+#include "Core/Mesh/Mesh.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolygon.h"
 
-#include <array>
 #include <vector>
 
 /**
@@ -46,9 +46,10 @@ private:
   void AddEar(vtkIdType i, vtkIdType j, vtkIdType k);
   bool AreEarsAsGood() const;
   bool DoEarsOverlap() const;
-  void FindNormal(double normal[3]) const;
-  void FindCross(const std::array<vtkIdType, 3>& corners, double cross[3]) const;
-  double MeasureAlongNormal(vtkCellArray* triangles) const;
+  carving::Point FindNormal() const;
+  carving::Point FindNormal(vtkIdType a, vtkIdType b, vtkIdType c) const;
+  double MeasureAlong(const carving::Point& normal, vtkCellArray* triangles) const;
+  carving::Point GetPoint(vtkIdType id) const;
 
   vtkPoints* Points;
   vtkNew<vtkIdList> Corners;

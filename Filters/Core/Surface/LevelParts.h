@@ -13,12 +13,12 @@ namespace carving
 {
 
 /**
- * Appends those faces of a level to `input`, which is M, that are parts of its triangles. There are
+ * Appends to `input`, which is M, the faces of a level that are parts of M's triangles. There are
  * none in exact mode.
  *
- * In enclosing mode, the points that divide a triangle of M are rounded, so that levels enclose the
- * parts, and the triangle only up to these roundings. A surface that changes has to be kept around
- * the parts, too: kept around the triangle alone, the surface could lose all of the triangle that a
+ * In enclosing mode, the points that divide a triangle of M are rounded. Levels enclose the parts,
+ * but the triangle only up to these roundings. A surface that changes has to be kept around the
+ * parts as well: kept around the triangle alone, the surface could lose all of the triangle that a
  * rounding has left outside.
  */
 void AppendParts(const StoredStream<3>& stream, const Level<3>& level, TriangleMesh& input);

@@ -31,8 +31,8 @@ bool AreInPlane(const std::vector<Point>& points, const ResolvedMesh& surface)
 }
 
 /**
- * TetGen's input. The polygons and their corners lie in two arrays: to make and to release them one
- * by one, as TetGen does, takes a fiftieth of its time.
+ * TetGen's input. The polygons and their corners lie in two arrays: allocating and releasing each of
+ * them, as TetGen does, takes a fiftieth of TetGen's time.
  */
 class TetGenInput
 {

@@ -16,6 +16,42 @@
 
 using carving::Point;
 
+namespace
+{
+
+/** Polygons that share no points. */
+struct SeparatePolygons
+{
+  std::vector<Point> Points;
+  Polygons Cells;
+
+  void Begin()
+  {
+    this->Cells.emplace_back();
+  }
+
+  void Add(const Point& corner)
+  {
+    this->Cells.back().push_back(static_cast<vtkIdType>(this->Points.size()));
+    this->Points.push_back(corner);
+  }
+
+  vtkSmartPointer<vtkPolyData> Make() const
+  {
+    return MakeMesh(this->Points, this->Cells);
+  }
+};
+
+vtkSmartPointer<vtkPolyData> TriangulateByVtk(vtkPolyData* mesh)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(mesh);
+  triangulate->Update();
+  return triangulate->GetOutput();
+}
+
+} // namespace
+
 // Polygons may have corners within straight sides, also as the first corner.
 TEST(InputPolygons, MayHaveCollinearPoints)
 {
@@ -135,24 +171,19 @@ TEST(InputPolygons, AreKeptAsVtkSeesThem)
 {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Point> points;
-  Polygons polygons;
+  SeparatePolygons polygons;
   for (int i = 0; i < 60; ++i)
   {
-    std::vector<vtkIdType>& polygon = polygons.emplace_back();
+    polygons.Begin();
     const int size = 4 + i % 5;
     for (int corner = 0; corner < size; ++corner)
     {
-      polygon.push_back(static_cast<vtkIdType>(points.size()));
       const double height = i % 2 * 0.1 * uniform(random);
-      points.push_back({ uniform(random), uniform(random), 0.25 * i + height });
+      polygons.Add({ uniform(random), uniform(random), 0.25 * i + height });
     }
   }
-  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(points, polygons);
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(mesh);
-  triangulate->Update();
-  vtkPolyData* triangles = triangulate->GetOutput();
+  const vtkSmartPointer<vtkPolyData> mesh = polygons.Make();
+  const vtkSmartPointer<vtkPolyData> triangles = TriangulateByVtk(mesh);
   vtkNew<vtkStaticCellLocator> locator;
   const auto carver = Carve(mesh);
   locator->SetDataSet(LastLevel(carver));
@@ -187,47 +218,38 @@ TEST(InputPolygons, MayNotBeFlat)
 {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Point> points;
-  Polygons polygons;
+  SeparatePolygons polygons;
   for (int i = 0; i < 40; ++i)
   {
-    std::vector<vtkIdType>& polygon = polygons.emplace_back();
+    polygons.Begin();
     const int inSide = 1 + i % 3; // corners within each side of a square
     for (int corner = 0; corner < 4 * (inSide + 1); ++corner)
     {
       const int side = corner / (inSide + 1);
       const double along = corner % (inSide + 1) / (inSide + 1.0);
       const double u = side % 2 ? 1.0 : along, v = side % 2 ? along : 0.0;
-      polygon.push_back(static_cast<vtkIdType>(points.size()));
-      points.push_back(
-        { side < 2 ? u : 1.0 - u, side < 2 ? v : 1.0 - v, i + 1e-3 * uniform(random) });
+      polygons.Add({ side < 2 ? u : 1.0 - u, side < 2 ? v : 1.0 - v, i + 1e-3 * uniform(random) });
     }
   }
-  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(points, polygons);
-  vtkNew<vtkTriangleFilter> triangulate;
-  triangulate->SetInputData(mesh);
-  triangulate->Update();
+  const vtkSmartPointer<vtkPolyData> mesh = polygons.Make();
   const auto carver = Carve(mesh);
   EXPECT_EQ(GetNotes(carver), "");
-  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(triangulate->GetOutput()));
+  EXPECT_EQ(GetTriangles(LastLevel(carver)), GetTriangles(TriangulateByVtk(mesh)));
 }
 
-// A polygon that bends inward stays as it is though its corners are roundings away from a plane.
+// A polygon that bends inward keeps its shape, although its corners are off a plane by roundings.
 TEST(InputPolygons, MayBendInward)
 {
   std::mt19937_64 random(13);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  std::vector<Point> points;
-  Polygons polygons;
+  SeparatePolygons polygons;
   double area = 0.0;
   constexpr int stairs = 300;
   for (int i = 0; i < stairs; ++i)
   {
-    std::vector<vtkIdType>& polygon = polygons.emplace_back();
-    const auto add = [&](double x, double y)
-    {
-      polygon.push_back(static_cast<vtkIdType>(points.size()));
-      points.push_back({ x, y, 2.0 * i + 1e-6 * uniform(random) });
+    polygons.Begin();
+    const auto add = [&](double x, double y) {
+      polygons.Add({ x, y, 2.0 * i + 1e-6 * uniform(random) });
     };
     double x = 0.0, y = 0.0;
     for (int step = 0; step < 5; ++step)
@@ -242,7 +264,7 @@ TEST(InputPolygons, MayBendInward)
     add(x, y);
     add(0.0, y);
   }
-  const auto carver = Carve(MakeMesh(points, polygons));
+  const auto carver = Carve(polygons.Make());
   EXPECT_EQ(GetNotes(carver), "");
   vtkNew<vtkMassProperties> properties;
   properties->SetInputData(LastLevel(carver));

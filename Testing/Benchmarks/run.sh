@@ -21,7 +21,11 @@ while [ $# -gt 0 ]; do
     --repetitions) repetitions=$2; command+=" --repetitions $2"; shift ;;
     --output) output=$2; shift ;;
     --*) die "usage: bash Testing/Benchmarks/run.sh [--large] [--repetitions N] [--output FOLDER] [MESH...]" ;;
-    *) meshes+=("$1"); command+=" $(basename "$1")" ;;
+    *)
+      [ -r "$1" ] || die "There is no file '$1' that can be read."
+      meshes+=("$1")
+      command+=" $(basename "$1")"
+      ;;
   esac
   shift
 done

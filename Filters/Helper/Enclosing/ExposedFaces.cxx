@@ -194,7 +194,8 @@ KeptDistances MeasureKept(const PiercedMesh& mesh, const SurfaceDistance& distan
       }
     }
   }
-  const std::vector<Point> points = Sample(bare, spacing * length);
+  const std::vector<Point> points =
+    Sample(bare, std::max(spacing * length, distance.GetResolution()));
   std::vector<double> samples(points.size());
   ForEachRange(threads, points.size(), distance,
     [&](std::size_t, std::size_t first, std::size_t last, SurfaceDistance& own)

@@ -10,6 +10,8 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace carving::helper
@@ -38,6 +40,17 @@ Point Centroid(const Corners& t)
 }
 
 constexpr double Accuracy = 0.05;
+
+/** Some ten rounding errors of coordinates. Quarters of smaller triangles need not be smaller. */
+double FindResolution(const std::vector<Point>& points)
+{
+  double farthest = 0.0;
+  for (const Point& p : points)
+  {
+    farthest = std::max(farthest, Length(p));
+  }
+  return 1e-14 * farthest;
+}
 
 double RadiusAround(const Point& centroid, const Corners& t)
 {
@@ -142,6 +155,7 @@ private:
 
 SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
   : Surface(std::make_shared<const Tree>(surface))
+  , Resolution(FindResolution(surface.Points))
 {
 }
 
@@ -194,8 +208,8 @@ bool SurfaceDistance::IsWithin(const Corners& triangle, double distance)
     {
       return false;
     }
-    if (radius > Accuracy * distance && !this->LastHasWithin(t, distance) &&
-      !this->HasWithin(centroid, distance - radius))
+    if (radius > std::max(Accuracy * distance, this->Resolution) &&
+      !this->LastHasWithin(t, distance) && !this->HasWithin(centroid, distance - radius))
     {
       PushQuarters(t, stack);
     }
@@ -221,7 +235,7 @@ double SurfaceDistance::Farthest(const Corners& triangle, double atLeast)
     const double distance = this->Distance(centroid);
     farthest = std::max(farthest, distance);
     const double limit = (1.0 + Accuracy) * farthest;
-    if (distance + radius > limit && !this->LastHasWithin(t, limit))
+    if (radius > this->Resolution && distance + radius > limit && !this->LastHasWithin(t, limit))
     {
       PushQuarters(t, stack);
     }

@@ -31,16 +31,22 @@ public:
 
   /**
    * Whether every point of a triangle is within `distance` of M, where the distance is exact to 5
-   * %. The answer does not depend on earlier ones.
+   * % or to the resolution. The answer does not depend on earlier ones.
    */
   bool IsWithin(const Corners& triangle, double distance);
+
+  /** The length below which rounding errors decide. */
+  double GetResolution() const
+  {
+    return this->Resolution;
+  }
 
   /** The distance of a point from M. */
   double Distance(const Point& point);
 
   /**
-   * The distance from M of the farthest point of a triangle, to within 5 %, but no less than
-   * `atLeast`.
+   * The distance from M of the farthest point of a triangle, to within 5 % or the resolution, but
+   * no less than `atLeast`.
    */
   double Farthest(const Corners& triangle, double atLeast);
 
@@ -50,6 +56,7 @@ private:
   bool LastHasWithin(const Corners& triangle, double distance) const;
 
   std::shared_ptr<const Tree> Surface;
+  double Resolution;
   int Last = 0; ///< the triangle found last; often close to the next point, too
 };
 

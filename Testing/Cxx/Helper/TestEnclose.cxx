@@ -57,8 +57,9 @@ void ExpectToEnclose(const TriangleMesh& given, const ResolvedMesh& surface, con
       used[corner] = 1;
     }
     // A centroid on the surface may be outside by a rounding.
-    EXPECT_TRUE(
-      checks::Encloses(points, shell, centroid) || DistanceToPlanes(points, all, centroid) < 1e-12);
+    const double rounding = std::max(1e-12, 1e-15 * Length(centroid));
+    EXPECT_TRUE(checks::Encloses(points, shell, centroid) ||
+      DistanceToPlanes(points, all, centroid) < rounding);
   }
   std::set<int> onLevel;
   for (const FaceLife<3>& face : level.Faces)
@@ -134,6 +135,24 @@ TEST(Enclose, EnclosesRandomSoups)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
     ExpectEnclosingLevels(SoupCase(random));
+  }
+}
+
+// Levels enclose soups so far from the origin that they are only some hundred roundings wide.
+TEST(Enclose, EnclosesSoupsOfFewRoundings)
+{
+  std::mt19937_64 random(11);
+  constexpr int count = 8;
+  for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    SoupCase soup(random);
+    const double distance = std::pow(10.0, 1.0 + static_cast<double>(random() % 5));
+    for (Point& p : soup.Mesh.Points)
+    {
+      p = distance * (Point{ 1.0, -0.5, 0.2 } + 1e-14 * p);
+    }
+    ExpectEnclosingLevels(soup);
   }
 }
 

@@ -42,6 +42,29 @@ std::size_t CountCopies(const std::vector<int>& points)
   return copies;
 }
 
+/**
+ * The least number of vertices, per vertex that the topology needs, at which trials without bounds
+ * have stuck: a first one that sticks tells how other steps will. 1 if none has stuck.
+ */
+double FindLeastKept(const std::vector<LevelTrial>& trials)
+{
+  constexpr double most = 1.3; // pits may keep many more, but do so in some steps and not in others
+  double least = HUGE_VAL;
+  for (const LevelTrial& trial : trials)
+  {
+    const std::vector<carving::DecimatedSurface>& surfaces = trial.Result.Surfaces;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+    {
+      if (!surfaces[i].Reached && std::isinf(trial.Targets[i].Bound))
+      {
+        least = std::min(least,
+          (static_cast<double>(trial.Points.size()) - surfaces[i].Collapses) / trial.LeastVertices);
+      }
+    }
+  }
+  return std::isinf(least) ? 1.0 : std::clamp(least, 1.0, most);
+}
+
 DecimationTarget AsDecimationTarget(LevelTarget type)
 {
   return type == LevelTarget::Triangles ? DecimationTarget::Triangles
@@ -78,8 +101,9 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
     static_cast<double>(CountCopies(cut.Points)));
   if (type != LevelTarget::ErrorBound)
   {
-    DropTargetsIf(
-      trial, [least = trial.LeastVertices](double value) { return std::max(value, 4.0) < least; });
+    DropTargetsIf(trial,
+      [least = FindLeastKept(this->Trials) * trial.LeastVertices](double value)
+      { return std::max(value, 4.0) < least; });
   }
   if (trial.Targets.empty())
   {

@@ -87,7 +87,12 @@ public:
     {
       for (int f = 0; f < 4; ++f)
       {
-        for (int i = 0; i < 3 && !star.Has(cell->neighbor(f)); ++i)
+        if (star.Has(cell->neighbor(f)))
+        {
+          continue;
+        }
+        ++this->NumberOfFaces;
+        for (int i = 0; i < 3; ++i)
         {
           const int a = IndexOf(cell, FaceCorners[f][i]);
           this->Vertices.insert(a);
@@ -104,11 +109,32 @@ public:
   {
     return this->Edges.count(EdgeKey(a, b)) > 0;
   }
+  /**
+   * Whether the faces are a sphere, by their Euler characteristic. Two infinite cells of a star may
+   * have only an edge in common, in which four faces meet then.
+   */
+  bool IsSphere() const
+  {
+    return 2 * this->Edges.size() == 3 * this->NumberOfFaces &&
+      this->Vertices.size() + this->NumberOfFaces == this->Edges.size() + 2;
+  }
 
 private:
+  std::size_t NumberOfFaces = 0;
   std::set<int> Vertices;
   std::set<std::uint64_t> Edges;
 };
+
+/**
+ * Whether a point is beyond the hull at infinite cells. Vertices there could make the hull cross
+ * itself, since roundings of others have dented it.
+ */
+bool IsBeyond(
+  const PiercedMesh::Delaunay& mesh, const std::vector<Cell>& cells, const Inexact::Point_3& p)
+{
+  return std::any_of(cells.begin(), cells.end(),
+    [&](const Cell& cell) { return IsPositive(cell, cell->index(mesh.infinite_vertex()), p); });
+}
 
 bool IsAmong(const std::vector<Edge>& edges, int a, int b)
 {
@@ -229,6 +255,10 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
     return -1;
   }
   const Surface surface(star);
+  if (!surface.IsSphere())
+  {
+    return -1;
+  }
   std::vector<std::array<Vertex, 4>> made;
   std::vector<int> corners;
   for (const Cell& cell : star.GetCells())
@@ -296,6 +326,10 @@ int PiercedMesh::SplitEdge(int a, int b, const Point& p, const EdgePredicate& is
     return -1;
   }
   const Inexact::Point_3 at = ToInexact(p);
+  if (IsBeyond(this->Mesh, place.Outside, at))
+  {
+    return -1;
+  }
   const bool isPositive = std::all_of(place.Cells.begin(), place.Cells.end(),
     [&](const Cell& around)
     {
@@ -316,6 +350,10 @@ int PiercedMesh::SplitFace(
 {
   const Place place = this->PlaceOnFace(cell, f, p);
   const Inexact::Point_3 at = ToInexact(p);
+  if (IsBeyond(this->Mesh, place.Outside, at))
+  {
+    return -1;
+  }
   const bool isPositive = std::all_of(place.Cells.begin(), place.Cells.end(),
     [&](const Cell& side)
     {

@@ -43,12 +43,12 @@ std::size_t CountCopies(const std::vector<int>& points)
 }
 
 /**
- * The least number of vertices, per vertex that the topology needs, at which trials without bounds
- * have stuck: a first one that sticks tells how other steps will. 1 if none has stuck.
+ * The number of vertices at which a step is likely to stick, as a multiple of its LeastVertices: the
+ * least multiple at which a trial without bounds has stuck. 1 if none has stuck.
  */
 double FindLeastKept(const std::vector<LevelTrial>& trials)
 {
-  constexpr double most = 1.3; // pits may keep many more, but do so in some steps and not in others
+  constexpr double most = 1.3; // pits keep many more vertices, but not in every step
   double least = HUGE_VAL;
   for (const LevelTrial& trial : trials)
   {

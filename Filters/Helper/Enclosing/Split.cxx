@@ -126,8 +126,8 @@ private:
 };
 
 /**
- * Whether a point is beyond the hull at infinite cells. Vertices there could make the hull cross
- * itself, since roundings of others have dented it.
+ * Whether a point is beyond the hull at some infinite cells. Roundings of earlier vertices have
+ * dented the hull, so that a vertex beyond it could make it cross itself.
  */
 bool IsBeyond(
   const PiercedMesh::Delaunay& mesh, const std::vector<Cell>& cells, const Inexact::Point_3& p)

@@ -41,7 +41,10 @@ Point Centroid(const Corners& t)
 
 constexpr double Accuracy = 0.05;
 
-/** Some ten rounding errors of coordinates. Quarters of smaller triangles need not be smaller. */
+/**
+ * Some fifty times the distance between neighboring values of the farthest coordinate. Quarters of
+ * triangles below this length need not be smaller than the triangles.
+ */
 double FindResolution(const std::vector<Point>& points)
 {
   double farthest = 0.0;

@@ -43,8 +43,8 @@ std::size_t CountCopies(const std::vector<int>& points)
 }
 
 /**
- * The number of vertices at which a step is likely to stick, as a multiple of its LeastVertices: the
- * least multiple at which a trial without bounds has stuck. 1 if none has stuck.
+ * The number of vertices at which a step is likely to stick, as a multiple of its LeastVertices:
+ * the least multiple at which a trial without bounds has stuck. 1 if none has stuck.
  */
 double FindLeastKept(const std::vector<LevelTrial>& trials)
 {

@@ -127,7 +127,7 @@ private:
 
 /**
  * Whether a point is beyond the hull at some infinite cells. Roundings of earlier vertices have
- * dented the hull, so that a vertex beyond it could make it cross itself.
+ * dented the hull, which could cross itself at such a vertex.
  */
 bool IsBeyond(
   const PiercedMesh::Delaunay& mesh, const std::vector<Cell>& cells, const Inexact::Point_3& p)

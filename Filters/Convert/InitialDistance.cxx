@@ -16,10 +16,14 @@
 template <int D>
 std::vector<double> ComputeInitialDistances(const carving::Decomposition<D>& mesh)
 {
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  if (numberOfCells == 0)
+  {
+    return {}; // the locator reports an error if there are no faces
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> faces;
-  const int numberOfCells = static_cast<int>(mesh.Cells.size());
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     for (int f = 0; f <= D; ++f)

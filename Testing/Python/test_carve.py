@@ -199,6 +199,14 @@ class TestCarve(CarveTestCase):
         self.assertNotEqual(self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "off"),
                             self.table(BONES, "--solid-rule", "surface-only", "--carve-voids", "on"))
 
+    def test_measures_no_depth_of_a_convex_mesh(self):
+        """Depth by distance needs no tetrahedron: the only level is the mesh."""
+        cube = vtkCubeSource()
+        cube.Update()
+        path = self.write(vtkXMLPolyDataWriter, "cube.vtp", cube.GetOutput())
+        rows = self.table(path, "--depth-exponent", "1", "--depth-measure", "distance")
+        self.assertEqual([row[2:4] for row in rows], [(8, 12)])
+
     def test_carves_contours(self):
         """--contours carves a U out of its hull, a square."""
         corners = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)]

@@ -67,6 +67,16 @@ TriangleMesh RandomPart(std::mt19937_64& random, bool& closed)
 
 } // namespace
 
+TriangleMesh Rotated(TriangleMesh mesh, std::mt19937_64& random)
+{
+  const std::array<Point, 3> axes = RandomRotation(random);
+  for (Point& p : mesh.Points)
+  {
+    p = p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
+  }
+  return mesh;
+}
+
 int NumberOfCases(const char* variable, int otherwise)
 {
   const char* number = std::getenv(variable);

@@ -44,6 +44,9 @@ TriangleMesh Assembly(int n, std::mt19937_64& random);
  */
 TriangleMesh Discs(int n, std::mt19937_64& random);
 
+/** A mesh, rotated at random about the origin. */
+TriangleMesh Rotated(TriangleMesh mesh, std::mt19937_64& random);
+
 /** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 

@@ -195,6 +195,7 @@ private:
   class MeshMarks;
   class OwnMarks;
 
+  Contact FindContact(const Piercer& piercer, const Cell& cell) const;
   void Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);
@@ -212,6 +213,8 @@ private:
   void SetVertex(int index, const Vertex& v);
   void DeleteVertex(int vertex);
   void Collapse(const std::vector<Cell>& star, const Vertex& from, const Vertex& to);
+  template <class Marks>
+  void PushBeside(const Cell& outside, Marks& marks) const;
   template <class Marks, class Visit>
   void Walk(int part, const Piercer& piercer, Marks& marks, const Visit& visit) const;
 

@@ -4,6 +4,7 @@
  * Finds the tetrahedra of a PiercedMesh that parts meet.
  */
 #include "Core/Mesh/ForEach.h"
+#include "Core/Mesh/Vector.h"
 #include "Helper/Base/IndexedBox.h"
 #include "Helper/Enclosing/Walk.h"
 
@@ -11,11 +12,32 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cfloat>
 
 namespace carving::helper
 {
 namespace
 {
+
+using Cell = PiercedMesh::Cell;
+
+/**
+ * A flat pyramid on a hull face, with its apex outside. Roundings of vertices dent the hull, which
+ * leaves pieces of parts in such pyramids.
+ */
+Corners4 PyramidOn(const Cell& cell, int f)
+{
+  constexpr double share = 1e-6; // of the sides
+  constexpr double roundings = 64.0;
+  const auto [a, b, c] = FaceOf(cell, f);
+  const Point origin = ToPoint(a), u = ToPoint(b) - origin, v = ToPoint(c) - origin;
+  const Point normal = Cross(u, v);
+  const double size = Length(u) + Length(v);
+  const double height = std::max(share * size, roundings * DBL_EPSILON * (Length(origin) + size));
+  const double length = Length(normal);
+  const Point center = origin + (u + v) / 3.0;
+  return { a, b, c, ToInexact(length > 0.0 ? center + (height / length) * normal : center) };
+}
 
 template <std::size_t N>
 CGAL::Bbox_3 BoundsOf(const std::array<Inexact::Point_3, N>& corners)
@@ -69,10 +91,24 @@ void PiercedMesh::PushStar(const Vertex& v, std::vector<Cell>& stack)
   }
 }
 
+/** The contact with a cell. A part that is beyond a hull face of the cell counts as piercing it. */
+Contact PiercedMesh::FindContact(const Piercer& piercer, const Cell& cell) const
+{
+  Contact contact = piercer.FindContact(helper::CornersOf(cell));
+  for (int f = 0; f < 4 && !contact.Exists(); ++f)
+  {
+    if (this->Mesh.is_infinite(cell->neighbor(f)))
+    {
+      contact.Pierces = piercer.FindContact(PyramidOn(cell, f)).Pierces;
+    }
+  }
+  return contact;
+}
+
 /** Records the contact of a part with a cell, if there is one. */
 void PiercedMesh::Meet(int part, const Piercer& piercer, const Cell& cell)
 {
-  const Contact contact = piercer.FindContact(helper::CornersOf(cell));
+  const Contact contact = this->FindContact(piercer, cell);
   if (contact.Exists())
   {
     cell->info().Add({ part, contact });
@@ -105,7 +141,7 @@ void PiercedMesh::FindContacts(int part, Marks& marks, CellContactList& contacts
   this->Walk(part, piercer, marks,
     [&](const Cell& cell)
     {
-      const Contact contact = piercer.FindContact(helper::CornersOf(cell));
+      const Contact contact = this->FindContact(piercer, cell);
       if (contact.Exists())
       {
         contacts.emplace_back(cell, contact);
@@ -207,7 +243,15 @@ void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>
   }
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    cellBoxes.emplace_back(BoundsOf(helper::CornersOf(cells[i])), firstCell + static_cast<int>(i));
+    CGAL::Bbox_3 bounds = BoundsOf(helper::CornersOf(cells[i]));
+    for (int f = 0; f < 4; ++f)
+    {
+      if (this->Mesh.is_infinite(cells[i]->neighbor(f)))
+      {
+        bounds += BoundsOf(PyramidOn(cells[i], f));
+      }
+    }
+    cellBoxes.emplace_back(bounds, firstCell + static_cast<int>(i));
   }
   std::vector<std::pair<int, int>> pairs;
   CGAL::box_intersection_d(partBoxes.begin(), partBoxes.end(), cellBoxes.begin(), cellBoxes.end(),

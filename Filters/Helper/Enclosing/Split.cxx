@@ -25,6 +25,17 @@ int IndexOf(const Cell& cell, int i)
   return cell->vertex(i)->info().Index;
 }
 
+/**
+ * Whether a point is beyond the hull at some infinite cells. Roundings of earlier vertices have
+ * dented the hull, which could cross itself at such a vertex.
+ */
+bool IsBeyond(
+  const PiercedMesh::Delaunay& mesh, const std::vector<Cell>& cells, const Inexact::Point_3& p)
+{
+  return std::any_of(cells.begin(), cells.end(),
+    [&](const Cell& cell) { return IsPositive(cell, cell->index(mesh.infinite_vertex()), p); });
+}
+
 /** A set of cells around a point, which sees all of their outer finite faces from inside. */
 class StarShape
 {
@@ -37,7 +48,8 @@ public:
 
   /**
    * Adds the cells behind faces that the point does not see. Returns false if such a face is a part
-   * of M or, unless the point is `onHull`, on the hull, or if there are too many.
+   * of M, if it is on the hull (a point that is `onHull` may be in its plane), or if there are too
+   * many.
    */
   bool Grow(const PiercedMesh::Delaunay& mesh, const Inexact::Point_3& p, bool onHull)
   {
@@ -51,8 +63,9 @@ public:
         {
           continue;
         }
-        if ((!onHull && mesh.is_infinite(neighbor)) || cell->info().PartOn(f) >= 0 ||
-          this->Cells.size() >= MaximumStar)
+        const bool isOutside = mesh.is_infinite(neighbor);
+        if ((isOutside && (!onHull || IsBeyond(mesh, { neighbor }, p))) ||
+          cell->info().PartOn(f) >= 0 || this->Cells.size() >= MaximumStar)
         {
           return false;
         }
@@ -126,14 +139,17 @@ private:
 };
 
 /**
- * Whether a point is beyond the hull at some infinite cells. Roundings of earlier vertices have
- * dented the hull, which could cross itself at such a vertex.
+ * Whether a point sees an edge of a hull face, which is opposite to corner i of its infinite cell,
+ * from inside of that face. In the plane of a face beyond a dent, the point may see it from outside.
  */
-bool IsBeyond(
-  const PiercedMesh::Delaunay& mesh, const std::vector<Cell>& cells, const Inexact::Point_3& p)
+bool SeesBorder(
+  const PiercedMesh::Delaunay& mesh, const Cell& outside, int i, const Inexact::Point_3& p)
 {
-  return std::any_of(cells.begin(), cells.end(),
-    [&](const Cell& cell) { return IsPositive(cell, cell->index(mesh.infinite_vertex()), p); });
+  const auto [j, k] = OtherCorners(i, outside->index(mesh.infinite_vertex()));
+  const auto &a = outside->vertex(j)->point(), &b = outside->vertex(k)->point(),
+             &c = outside->vertex(i)->point();
+  return CGAL::orientation(a, b, c, p) != CGAL::COPLANAR ||
+    CGAL::coplanar_orientation(a, b, c, p) == CGAL::POSITIVE;
 }
 
 bool IsAmong(const std::vector<Edge>& edges, int a, int b)
@@ -250,7 +266,8 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
   std::vector<Cell> cells = place.Cells;
   cells.insert(cells.end(), place.Outside.begin(), place.Outside.end());
   StarShape star(cells);
-  if (!star.Grow(this->Mesh, ToInexact(place.At), !place.Outside.empty()))
+  const Inexact::Point_3 at = ToInexact(place.At);
+  if (!star.Grow(this->Mesh, at, !place.Outside.empty()))
   {
     return -1;
   }
@@ -277,6 +294,10 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
       }
       if (!star.Has(cell->neighbor(i)))
       {
+        if (this->Mesh.is_infinite(cell) && !SeesBorder(this->Mesh, cell, i, at))
+        {
+          return -1;
+        }
         made.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
         corners.push_back(i);
       }

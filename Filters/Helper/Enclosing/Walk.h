@@ -115,6 +115,20 @@ private:
   std::vector<Cell> Stack, Star;
 };
 
+/** Pushes the tetrahedra below the hull faces that have an edge in common with another one. */
+template <class Marks>
+void PiercedMesh::PushBeside(const Cell& outside, Marks& marks) const
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    const Cell beside = outside->neighbor(i);
+    if (this->Mesh.is_infinite(beside))
+    {
+      marks.Push(beside->neighbor(beside->index(this->Mesh.infinite_vertex())));
+    }
+  }
+}
+
 /**
  * Visits the tetrahedra that may meet a part: those around one of its corners, and the neighbors of
  * each tetrahedron for which `visit` returns that the part meets it.
@@ -139,7 +153,12 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, Marks& marks, const Vis
     }
     for (int i = 0; i < 4; ++i)
     {
-      marks.Push(cell->neighbor(i));
+      const Cell neighbor = cell->neighbor(i);
+      marks.Push(neighbor);
+      if (this->Mesh.is_infinite(neighbor))
+      {
+        this->PushBeside(neighbor, marks);
+      }
       // If an edge of the cell lies in the triangle, the part may continue in cells around that
       // edge that share no face with this cell. Corners of the triangle need no search, since an
       // edge between two of them is on the border.

@@ -100,23 +100,34 @@ void ExpectEnclosingLevels(const TriangleMesh& given, const Carved& carved)
   }
 }
 
-/** A random soup, and how it is enclosed and carved. */
+/** A soup, and how it is enclosed and carved. */
 struct SoupCase
 {
   TriangleMesh Mesh;
   InitialApproximation Initial;
   double Tolerance;
   CarveOptions Options;
-
-  explicit SoupCase(std::mt19937_64& random)
-    : Mesh(models::Soup(2 + static_cast<int>(random() % 40), random))
-    , Initial(static_cast<InitialApproximation>(random() % 2))
-    , Tolerance(std::array{ 0.0, 0.05, 0.1 }[random() % 3])
-  {
-    this->Options.DepthExponent = static_cast<double>(random() % 3);
-    this->Options.CarveExposed = random() % 2 != 0;
-  }
 };
+
+SoupCase RandomSoup(std::mt19937_64& random)
+{
+  SoupCase soup;
+  soup.Mesh = models::Soup(2 + static_cast<int>(random() % 40), random);
+  soup.Initial = static_cast<InitialApproximation>(random() % 2);
+  soup.Tolerance = std::array{ 0.0, 0.05, 0.1 }[random() % 3];
+  soup.Options.DepthExponent = static_cast<double>(random() % 3);
+  soup.Options.CarveExposed = random() % 2 != 0;
+  return soup;
+}
+
+/** A rotated soup of triangles or boxes on a grid. */
+SoupCase FlatSidedSoup(int i, std::mt19937_64& random)
+{
+  const int n = 2 + static_cast<int>(random() % 20);
+  const TriangleMesh aligned = i % 2 ? models::GridSoup(n, random) : models::BoxSoup(n, random);
+  return { models::Rotated(aligned, random), InitialApproximation::ConvexHull,
+    i % 4 < 2 ? 0.1 : 0.05, {} };
+}
 
 void ExpectEnclosingLevels(const SoupCase& soup)
 {
@@ -134,7 +145,7 @@ TEST(Enclose, EnclosesRandomSoups)
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
-    ExpectEnclosingLevels(SoupCase(random));
+    ExpectEnclosingLevels(RandomSoup(random));
   }
 }
 
@@ -146,7 +157,7 @@ TEST(Enclose, EnclosesSoupsOfFewRoundings)
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
-    SoupCase soup(random);
+    SoupCase soup = RandomSoup(random);
     const double distance = std::pow(10.0, 1.0 + static_cast<double>(random() % 5));
     for (Point& p : soup.Mesh.Points)
     {
@@ -156,6 +167,32 @@ TEST(Enclose, EnclosesSoupsOfFewRoundings)
   }
 }
 
+// Levels enclose soups with flat sides that are not parallel to the axes, where roundings dent the
+// hull, and leave pieces of the soup beyond it.
+TEST(Enclose, EnclosesRotatedFlatSides)
+{
+  std::mt19937_64 random(5);
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_SOUPS", 12);
+  for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("soup " + std::to_string(i));
+    ExpectEnclosingLevels(FlatSidedSoup(i, random));
+  }
+}
+
+// Levels do not touch themselves at a new vertex in the plane of a dented hull face. Few soups have
+// one.
+TEST(Enclose, SeesAFaceOfTheHullFromOneSide)
+{
+  std::mt19937_64 random(4);
+  constexpr int before = 23; // soups without
+  for (int i = 0; i < before; ++i)
+  {
+    FlatSidedSoup(i, random);
+  }
+  ExpectEnclosingLevels(FlatSidedSoup(before, random));
+}
+
 // Levels enclose a vertex so close to another one that cutting leaves it out. Few soups have one.
 TEST(Enclose, KeepsVerticesThatCuttingLeavesOut)
 {
@@ -163,9 +200,9 @@ TEST(Enclose, KeepsVerticesThatCuttingLeavesOut)
   constexpr int before = 1212; // soups without
   for (int i = 0; i < before; ++i)
   {
-    SoupCase skipped(random);
+    RandomSoup(random);
   }
-  ExpectEnclosingLevels(SoupCase(random));
+  ExpectEnclosingLevels(RandomSoup(random));
 }
 
 // Levels enclose solids and sheets that overlap, touch or are glued.

@@ -68,21 +68,33 @@ bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, 
     return farthest + BallRadius<D>(CornersOf<D>(points, face.Corners));
   };
 
+  constexpr int mostWork = 1024; // between two calls of `progress`
+  int work = 0;
+  const auto goOn = [&](int step)
+  {
+    if (work < mostWork)
+    {
+      return true;
+    }
+    work = 0;
+    return GoOn(progress, static_cast<double>(step) / errors.size());
+  };
   std::priority_queue<FaceBound> candidates;
   errors.assign(stream.Order.StepPriority.size(), 0.0);
   std::size_t next = 0;
   for (int step = 0; step < static_cast<int>(errors.size()); ++step)
   {
-    if (step % 1024 == 0 && !GoOn(progress, static_cast<double>(step) / errors.size()))
-    {
-      return false;
-    }
+    ++work;
     for (; next < faces.size() && faces[next].Birth <= step; ++next)
     {
       candidates.push({ boundBySize(faces[next]), static_cast<int>(next), 0 });
     }
     while (!candidates.empty())
     {
+      if (!goOn(step))
+      {
+        return false;
+      }
       const FaceBound top = candidates.top();
       const FaceLife<D>& face = faces[top.Face];
       if (face.Death > step && top.Queries < 0)
@@ -95,6 +107,7 @@ bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, 
       {
         // The number of queries grows, so that faces which are not the farthest take few.
         const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
+        work += queries;
         const auto bound = faceDistance.Compute(CornersOf<D>(points, face.Corners), queries);
         candidates.push({ std::min(top.Upper, bound.Upper), top.Face, bound.Final ? -1 : queries });
       }

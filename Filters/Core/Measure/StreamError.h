@@ -17,8 +17,9 @@ namespace carving
 
 /**
  * Per step, the one-sided Hausdorff distance from the approximation's surface to `mesh`, which is
- * M: the largest distance of any point of the surface from M. Never too small, and at most 1 % too
- * large. `conforming`: M is a union of faces (exact mode), whose distance is then 0.
+ * M: the largest distance of any point of the surface from M. Never too small, and at most 1 % or a
+ * millionth of M's diagonal too large. `conforming`: M is a union of faces (exact mode), whose
+ * distance is then 0.
  *
  * The first upper bound of a face's distance follows from its size, since its corners are on M or
  * close to M. Branch and bound refines the bounds of those faces that may be the farthest: the

@@ -17,6 +17,12 @@ namespace
 /** The factor by which a final bound may be too large. */
 constexpr double Tolerance = 1.01;
 
+/**
+ * A distance that needs no such accuracy, as a share of the diagonal. Coordinates in single
+ * precision put faces and facets that were in one plane about this far apart.
+ */
+constexpr double NegligibleShare = 1e-6;
+
 using Polygon = std::vector<Point>;
 
 /** Divides a convex polygon by the plane through p: the part in front, the part behind. */
@@ -82,7 +88,7 @@ std::vector<FacetCorners<2>> Split(const FacetCorners<2>& piece, const FacetCorn
  */
 std::vector<FacetCorners<3>> Split(const FacetCorners<3>& piece, const FacetCorners<3>& facet)
 {
-  constexpr double leastShare = 0.25, leastWidth = 1e-3, greatestHeight = 0.1;
+  constexpr double leastShare = 0.03, leastWidth = 1e-3, greatestHeight = 0.1;
   const int longest = LongestSide<3>(piece);
   const double length = Length(piece[(longest + 1) % 3] - piece[longest]), area = AreaOf({ piece });
   const Point normal = Cross(facet[1] - facet[0], facet[2] - facet[0]);
@@ -151,7 +157,7 @@ double BallRadius(const FacetCorners<D>& face)
 template <int D>
 FaceDistance<D>::FaceDistance(const ResolvedInput<D>& mesh)
   : Tree(mesh)
-  , Negligible(1e-9 * Diagonal(mesh.Points))
+  , Negligible(NegligibleShare * Diagonal(mesh.Points))
 {
 }
 

@@ -50,7 +50,7 @@ public:
   {
     double Lower; ///< at most the distance of the farthest point
     double Upper;
-    bool Final;             ///< whether `Upper` is at most 1 % too large
+    bool Final;             ///< whether `Upper` is at most 1 % too large, or negligible
     FacetCorners<D> Nearby; ///< a facet close to the center of the face
   };
 
@@ -85,7 +85,7 @@ private:
     double& lower) const;
 
   const FacetTree<D> Tree;
-  const double Negligible; ///< smaller distances are rounding errors of points on the mesh
+  const double Negligible; ///< smaller distances are roundings of points on the mesh
 };
 
 } // namespace carving

@@ -69,6 +69,27 @@ FacetCorners<3> RandomFace(std::mt19937_64& random)
 
 } // namespace
 
+// A face that lies across a finely divided plane, except for roundings, soon gets a final bound,
+// which is negligible.
+TEST(FaceDistance, IsNegligibleAcrossAPlane)
+{
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> rounding(-1e-8, 1e-8);
+  TriangleMesh mesh = models::Sheet(12);
+  for (Point& p : mesh.Points)
+  {
+    p[2] += rounding(random);
+  }
+  ResolvedMesh sheet;
+  sheet.Points = mesh.Points;
+  sheet.Facets = mesh.Triangles;
+  const FaceDistance<3> distance(sheet);
+  const FacetCorners<3> face = { mesh.Points.front(), mesh.Points[2], mesh.Points.back() };
+  const auto bound = distance.Compute(face, 100000);
+  EXPECT_TRUE(bound.Final);
+  EXPECT_LE(bound.Upper, 1e-6 * Diagonal(mesh.Points));
+}
+
 // Of a tetrahedron around a smaller one a corner is the farthest, since distance is convex: here
 // (8, 0, 0), which is closest to (3.5, 1.5, 1.5). M itself is at no distance.
 TEST(StreamError, IsKnownOfNestedTetrahedra)

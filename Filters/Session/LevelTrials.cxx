@@ -12,11 +12,6 @@ using carving::DecimatedSurface;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-int CountVertices(const LevelTrial& trial, const DecimatedSurface& surface)
-{
-  return trial.Result.Chain.Vertices - surface.Collapses;
-}
-
 /** Whether a surface for `value` may be taken for a target: for this value, or a smaller number. */
 bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTarget& target)
 {
@@ -88,6 +83,11 @@ double CostOf(LevelTarget type, const BestTrial& choice)
 }
 
 } // namespace
+
+int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surface)
+{
+  return trial.Result.Chain.Vertices - surface.Collapses;
+}
 
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)

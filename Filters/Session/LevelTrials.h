@@ -68,6 +68,9 @@ struct BestTrial
   const carving::DecimatedSurface* Surface = nullptr;
 };
 
+/** The number of vertices of a surface that a trial has made. */
+int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surface);
+
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
  * number, or for a smaller one if that is clearly closer to M. Those that reach a number come first,

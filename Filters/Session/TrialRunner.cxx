@@ -57,12 +57,18 @@ double FindLeastKept(const std::vector<LevelTrial>& trials)
     {
       if (!surfaces[i].Reached && std::isinf(trial.Targets[i].Bound))
       {
-        least = std::min(least,
-          (static_cast<double>(trial.Points.size()) - surfaces[i].Collapses) / trial.LeastVertices);
+        least = std::min(least, CountVertices(trial, surfaces[i]) / trial.LeastVertices);
       }
     }
   }
   return std::isinf(least) ? 1.0 : std::clamp(least, 1.0, most);
+}
+
+/** The number of vertices of the best result for a target; infinite if none has reached it. */
+double FewestVertices(const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
+{
+  const BestTrial best = FindBestTrial(trials, target);
+  return best.Trial && best.Surface->Reached ? CountVertices(*best.Trial, *best.Surface) : HUGE_VAL;
 }
 
 DecimationTarget AsDecimationTarget(LevelTarget type)
@@ -99,12 +105,13 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
   trial.LeastVertices = std::max(4.0 * topology.Components + 4.0 * std::max(topology.Genus, 0),
     static_cast<double>(CountCopies(cut.Points)));
-  if (type != LevelTarget::ErrorBound)
-  {
-    DropTargetsIf(trial,
-      [least = FindLeastKept(this->Trials) * trial.LeastVertices](double value)
-      { return std::max(value, 4.0) < least; });
-  }
+  DropTargetsIf(trial,
+    [&, least = FindLeastKept(this->Trials) * trial.LeastVertices](double value)
+    {
+      return type == LevelTarget::ErrorBound
+        ? trial.LeastVertices >= FewestVertices(this->Trials, { type, trial.LastStep, value, {} })
+        : std::max(value, 4.0) < least;
+    });
   if (trial.Targets.empty())
   {
     return std::nullopt;

@@ -99,9 +99,8 @@ std::vector<vtkCarverProperty> MakeProperties()
     { NAMED(ComputeError), Switch, 0, 0, NotStored,
       "Whether the distance of every level from the mesh is computed, for the stream and the "
       "profile: the distance of the farthest point, never too small and at most 1 %, or a "
-      "millionth "
-      "of the diagonal, too large. "
-      "The computation takes longer than carving. --error-bound implies it." },
+      "millionth of the diagonal, too large. The computation takes longer than carving. "
+      "--error-bound implies it." },
     { NAMED(NumberOfThreads), NoChoices, 0, VTK_INT_MAX, NotStored, "" },
     { NAMED(ReuseDecomposition), Switch, 0, 0, NotStored, "" },
     { NAMED(NumberOfLevels), NoChoices, 1, 1000, NotStored, "" },

@@ -18,8 +18,8 @@ namespace
 constexpr double Tolerance = 1.01;
 
 /**
- * A distance that needs no such accuracy, as a share of the diagonal. Coordinates in single
- * precision put faces and facets that were in one plane about this far apart.
+ * The greatest distance that needs no such accuracy, as a share of the diagonal. Rounded to single
+ * precision, faces and facets in one plane are about this far apart.
  */
 constexpr double NegligibleShare = 1e-6;
 

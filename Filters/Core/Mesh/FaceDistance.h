@@ -85,7 +85,7 @@ private:
     double& lower) const;
 
   const FacetTree<D> Tree;
-  const double Negligible; ///< smaller distances are roundings of points on the mesh
+  const double Negligible; ///< distances up to this one need no accuracy
 };
 
 } // namespace carving

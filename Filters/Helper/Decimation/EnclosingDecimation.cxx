@@ -25,8 +25,8 @@ namespace
 constexpr double MostAboveTarget = 1.1;
 
 /**
- * Positions that fit less well make a surface of more vertices within an error bound smaller by
- * hardly a hundredth, and take a third of the time.
+ * A surface within an error bound that has more vertices hardly loses one in two hundred of them by
+ * positions that fit less well. These positions take a third of the time.
  */
 constexpr double MostToTryHarder = 2000.0;
 

@@ -139,8 +139,9 @@ private:
 };
 
 /**
- * Whether a point sees an edge of a hull face, which is opposite to corner i of its infinite cell,
- * from inside of that face. In the plane of a face beyond a dent, the point may see it from outside.
+ * Whether a point sees an edge of a hull face from inside of that face. The edge is opposite to
+ * corner i of the face's infinite cell. A point in the plane of a face beyond a dent may see the
+ * edge from outside.
  */
 bool SeesBorder(
   const PiercedMesh::Delaunay& mesh, const Cell& outside, int i, const Inexact::Point_3& p)

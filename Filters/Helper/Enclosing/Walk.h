@@ -115,7 +115,7 @@ private:
   std::vector<Cell> Stack, Star;
 };
 
-/** Pushes the tetrahedra below the hull faces that have an edge in common with another one. */
+/** Pushes the tetrahedra below the hull faces around another one, given by its infinite cell. */
 template <class Marks>
 void PiercedMesh::PushBeside(const Cell& outside, Marks& marks) const
 {

@@ -156,7 +156,7 @@ void DecimateGiven(const Job& job, Reply& reply)
   Reporter reporter(reply);
   reporter.Begin(Stage::Tetrahedralize); // the main stage of a job
   reply.Error = DecimateEnclosing(
-    job.Surface.Triangles.empty() ? job.Mesh : job.Surface, job.Mesh, job.Decimation,
+    job.Surface.Triangles.empty() ? job.Mesh : job.Surface, job.Mesh, job.Parts, job.Decimation,
     reply.Decimation, [&](double fraction) { return reporter.Report(fraction); }, job.Processes);
   reporter.End();
 }

@@ -124,7 +124,7 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   job.Kind = carving::JobKind::Decimate;
   job.Processes = this->Threads;
   job.Mesh = { this->Mesh.Points, this->Mesh.Facets };
-  carving::AppendParts(stream, level, job.Mesh);
+  job.Parts = carving::ExtractParts(stream, level, this->Mesh.Points.size());
   job.Surface.Triangles = cut.Faces;
   for (const int point : cut.Points)
   {

@@ -17,7 +17,7 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'E' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'F' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'C' };
 
 class Writer
@@ -143,6 +143,8 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Array(job.InitialContours.Edges);
   archive.Array(job.Surface.Points);
   archive.Array(job.Surface.Triangles);
+  archive.Array(job.Parts.Points);
+  archive.Array(job.Parts.Triangles);
   archive.Value(job.Decimation.Type);
   archive.Array(job.Decimation.Targets);
   archive.Array(job.Decimation.Bounds);
@@ -307,6 +309,7 @@ std::string Read(const char* data, std::size_t size, Job& job)
   if (!IndicesWithin(job.Mesh.Triangles, 0, job.Mesh.Points.size()) ||
     !IndicesWithin(job.InitialMesh.Triangles, 0, job.InitialMesh.Points.size()) ||
     !IndicesWithin(job.Surface.Triangles, 0, job.Surface.Points.size()) ||
+    !IndicesWithin(job.Parts.Triangles, 0, job.Parts.Points.size()) ||
     !IndicesWithin(job.Contours.Edges, 0, job.Contours.Points.size()) ||
     !IndicesWithin(job.InitialContours.Edges, 0, job.InitialContours.Points.size()))
   {

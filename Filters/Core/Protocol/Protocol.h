@@ -157,6 +157,7 @@ struct Job : HelperOptions
   ContourSet Contours;          ///< for JobKind::Triangulate
   ContourSet InitialContours;   ///< for JobKind::Triangulate and InitialApproximation::Custom
   TriangleMesh Surface;         ///< for JobKind::Decimate, around the mesh; empty: the mesh itself
+  TriangleMesh Parts;           ///< for JobKind::Decimate: parts of the mesh, up to roundings
   DecimationOptions Decimation; ///< for JobKind::Decimate
 };
 

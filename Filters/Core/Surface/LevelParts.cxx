@@ -6,10 +6,12 @@
 namespace carving
 {
 
-void AppendParts(const StoredStream<3>& stream, const Level<3>& level, TriangleMesh& input)
+TriangleMesh ExtractParts(
+  const StoredStream<3>& stream, const Level<3>& level, std::size_t numberOfPoints)
 {
+  TriangleMesh parts;
   const std::vector<Point>& points = stream.Mesh.Surface.Points;
-  const auto own = static_cast<int>(input.Points.size()); // those of M come first
+  const auto own = static_cast<int>(numberOfPoints); // M's come first
   for (const FaceLife<3>& face : level.Faces)
   {
     const bool isDivided = std::any_of(
@@ -18,13 +20,14 @@ void AppendParts(const StoredStream<3>& stream, const Level<3>& level, TriangleM
     {
       continue;
     }
-    const auto first = static_cast<int>(input.Points.size());
+    const auto first = static_cast<int>(parts.Points.size());
     for (const int corner : face.Corners)
     {
-      input.Points.push_back(points[corner]);
+      parts.Points.push_back(points[corner]);
     }
-    input.Triangles.push_back({ first, first + 1, first + 2 });
+    parts.Triangles.push_back({ first, first + 1, first + 2 });
   }
+  return parts;
 }
 
 } // namespace carving

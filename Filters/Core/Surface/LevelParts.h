@@ -13,15 +13,16 @@ namespace carving
 {
 
 /**
- * Appends to `input`, which is M, the faces of a level that are parts of M's triangles. There are
- * none in exact mode.
+ * The faces of a level that are parts of M's triangles. `numberOfPoints` is M's. There are none in
+ * exact mode.
  *
  * In enclosing mode, the points that divide a triangle of M are rounded. Levels enclose the parts,
  * but the triangle only up to these roundings. A surface that changes has to be kept around the
  * parts as well: kept around the triangle alone, the surface could lose all of the triangle that a
  * rounding has left outside.
  */
-void AppendParts(const StoredStream<3>& stream, const Level<3>& level, TriangleMesh& input);
+TriangleMesh ExtractParts(
+  const StoredStream<3>& stream, const Level<3>& level, std::size_t numberOfPoints);
 
 } // namespace carving
 

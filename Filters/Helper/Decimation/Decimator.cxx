@@ -25,13 +25,13 @@ constexpr double Shares[] = { 1.0, 0.98, 0.7, 0.0 };
 
 } // namespace
 
-Decimator::Decimator(
-  SurfaceMesh surface, const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart, bool nested)
+Decimator::Decimator(SurfaceMesh surface, const FacetTree<3>& obstacle,
+  const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart, bool nested)
   : Surface(std::move(surface))
   , History(this->Surface)
   , Collisions(this->Surface)
   , Queue(this->Surface)
-  , M(fromM.GetTree())
+  , M(obstacle)
   , Bound(fromM, this->Surface.num_edges())
   , Errors(this->Surface, fromStart)
   , Place(PointsOf(this->Surface), this->M)

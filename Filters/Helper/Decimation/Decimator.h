@@ -36,11 +36,11 @@ class Decimator
 {
 public:
   /**
-   * `surface` encloses M. The distances, from M and from `surface` as given, must outlive this
-   * object.
+   * `surface` encloses `obstacle`, which is M, in parts as well if M is divided. The tree and the
+   * distances, from M and from `surface` as given, must outlive this object.
    */
-  Decimator(SurfaceMesh surface, const FaceDistance<3>& fromM, const FaceDistance<3>& fromStart,
-    bool nested);
+  Decimator(SurfaceMesh surface, const FacetTree<3>& obstacle, const FaceDistance<3>& fromM,
+    const FaceDistance<3>& fromStart, bool nested);
 
   /**
    * No face that a collapse makes may be farther from M from now on. Has no effect if the last

@@ -55,6 +55,18 @@ std::string Prepare(const TriangleMesh& given, ResolvedMesh& surface)
   return MakeClosedSurface(surface);
 }
 
+ResolvedMesh JoinMeshes(const TriangleMesh& mesh, const TriangleMesh& parts)
+{
+  TriangleMesh all = mesh;
+  const auto own = static_cast<int>(mesh.Points.size());
+  all.Points.insert(all.Points.end(), parts.Points.begin(), parts.Points.end());
+  for (const auto& [a, b, c] : parts.Triangles)
+  {
+    all.Triangles.push_back({ own + a, own + b, own + c });
+  }
+  return Clean(AsResolved(all));
+}
+
 /** Hands on the history in terms of the given surface. */
 void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& result)
 {
@@ -232,7 +244,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
 } // namespace
 
 std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mesh,
-  const DecimationOptions& options, Decimation& result, const Progress& progress, int threads)
+  const TriangleMesh& parts, const DecimationOptions& options, Decimation& result,
+  const Progress& progress, int threads)
 {
   ResolvedMesh original;
   std::string mistake = Prepare(given, original);
@@ -242,19 +255,25 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
   }
   std::optional<ChainRecorder> history; // the chain is made when all else has been released
   {
-    const ResolvedMesh inside = Clean(AsResolved(mesh));
-    if (inside.Facets.empty())
+    const ResolvedMesh cleaned = Clean(AsResolved(mesh));
+    if (cleaned.Facets.empty())
     {
       return "The surface has no triangle with an area.";
     }
-    const FaceDistance<3> fromM(inside);
+    const FaceDistance<3> fromM(cleaned);
+    const ResolvedMesh divided = parts.Triangles.empty() ? ResolvedMesh() : JoinMeshes(mesh, parts);
+    std::optional<FacetTree<3>> divisions;
+    if (!divided.Facets.empty())
+    {
+      divisions.emplace(divided);
+    }
     std::optional<FaceDistance<3>> fromGiven;
     if (&given != &mesh)
     {
       fromGiven.emplace(original);
     }
-    Decimator decimator(
-      AsSurfaceMesh(original), fromM, fromGiven ? *fromGiven : fromM, options.Nested);
+    Decimator decimator(AsSurfaceMesh(original), divisions ? *divisions : fromM.GetTree(), fromM,
+      fromGiven ? *fromGiven : fromM, options.Nested);
     mistake = Decimate(decimator, fromM, options, threads, progress, result.Surfaces);
     if (!mistake.empty())
     {

@@ -16,8 +16,8 @@ namespace carving::helper
 
 /**
  * Decimates a closed surface around a mesh, or the mesh itself, once per target. Every result is a
- * closed, oriented manifold of the surface's topology that encloses the mesh and does not cross
- * itself. Nested results enclose the surface, too.
+ * closed, oriented manifold of the surface's topology that encloses the mesh and its parts and does
+ * not cross itself. Nested results enclose the surface, too. Distances are those from the mesh.
  *
  * Equal points of the surface are merged, unless the surface is closed without that. The surface
  * may be oriented outward or inward. Returns an empty string, or an error for the user: the surface
@@ -25,8 +25,8 @@ namespace carving::helper
  * measured while the next one is made.
  */
 std::string DecimateEnclosing(const TriangleMesh& surface, const TriangleMesh& mesh,
-  const DecimationOptions& options, Decimation& result, const Progress& progress = {},
-  int threads = 1);
+  const TriangleMesh& parts, const DecimationOptions& options, Decimation& result,
+  const Progress& progress = {}, int threads = 1);
 
 } // namespace carving::helper
 

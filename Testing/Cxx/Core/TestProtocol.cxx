@@ -71,6 +71,7 @@ TEST(Protocol, RestoresAJob)
   job.InitialContours = { { { 3, 1, 0 }, { 4, 1, 0 } }, { { 1, 0 } } };
   job.Surface.Points = { { 6.0, 7.0, 8.0 } };
   job.Surface.Triangles = { { 0, 0, 0 } };
+  job.Parts = { { { 8, 7, 6 }, { 5, 4, 3 } }, { { 1, 0, 1 } } };
   job.Decimation = { DecimationTarget::ErrorBound, { 0.5, 0.25 }, { 0.1, 0.2 }, 1 };
   const std::string bytes = Written(job);
   Job restored;
@@ -89,6 +90,8 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.InitialContours.Edges, job.InitialContours.Edges);
   EXPECT_EQ(restored.Surface.Points, job.Surface.Points);
   EXPECT_EQ(restored.Surface.Triangles, job.Surface.Triangles);
+  EXPECT_EQ(restored.Parts.Points, job.Parts.Points);
+  EXPECT_EQ(restored.Parts.Triangles, job.Parts.Triangles);
   EXPECT_EQ(restored.Decimation.Type, job.Decimation.Type);
   EXPECT_EQ(restored.Decimation.Targets, job.Decimation.Targets);
   EXPECT_EQ(restored.Decimation.Bounds, job.Decimation.Bounds);

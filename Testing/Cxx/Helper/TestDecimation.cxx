@@ -75,7 +75,7 @@ DecimationOptions OptionsFor(std::vector<double> targets, bool nested = false,
 std::vector<Result> Decimate(const TriangleMesh& mesh, const DecimationOptions& options)
 {
   Decimation decimation;
-  EXPECT_EQ(DecimateEnclosing(mesh, mesh, options, decimation), "");
+  EXPECT_EQ(DecimateEnclosing(mesh, mesh, {}, options, decimation), "");
   return GetResults(decimation);
 }
 
@@ -142,6 +142,7 @@ struct LevelOfMesh
 {
   TriangleMesh Surface; ///< cut into manifolds; empty if there is none
   TriangleMesh M;
+  TriangleMesh Parts;
 };
 
 /** A random level of a carving of a mesh. Folds show both sides. */
@@ -162,8 +163,8 @@ LevelOfMesh RandomLevel(const TriangleMesh& mesh, std::mt19937_64& random)
   const ManifoldLevel<3> cut = CutIntoManifold(carved.Stored, extracted);
   const bool conforming = run.Reply.Result.Unresolved.Facets.empty();
   const ResolvedMesh& m = conforming ? carved.Stored.Mesh.Surface : run.Reply.Result.Unresolved;
-  LevelOfMesh level = { { {}, cut.Faces }, { m.Points, m.Facets } };
-  AppendParts(carved.Stored, extracted, level.M);
+  LevelOfMesh level = { { {}, cut.Faces }, { m.Points, m.Facets },
+    ExtractParts(carved.Stored, extracted, m.Points.size()) };
   for (const int point : cut.Points)
   {
     level.Surface.Points.push_back(carved.Stored.Mesh.Surface.Points[point]);
@@ -178,11 +179,11 @@ void ExpectToEncloseDecimated(const LevelOfMesh& level, bool nested, std::mt1993
   {
     return; // there is no level, or no vertex that could go
   }
-  const TriangleMesh& inside = nested ? level.Surface : level.M;
+  const TriangleMesh inside = nested ? level.Surface : models::Joined(level.M, level.Parts);
   const double half = std::floor(level.Surface.Points.size() / 2.0);
   Decimation decimation;
-  ASSERT_EQ(
-    DecimateEnclosing(level.Surface, inside, OptionsFor({ half, half / 4 }, nested), decimation),
+  ASSERT_EQ(DecimateEnclosing(level.Surface, nested ? level.Surface : level.M, level.Parts,
+              OptionsFor({ half, half / 4 }, nested), decimation),
     "");
   for (const Result& result : GetResults(decimation))
   {
@@ -305,7 +306,7 @@ TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)
   const TriangleMesh lens = flattened(models::Sphere(3));
   const TriangleMesh ring = flattened(models::Torus(0.9, 0.08, 64, 8));
   Decimation decimation;
-  ASSERT_EQ(DecimateEnclosing(lens, ring, OptionsFor({ 40 }), decimation), "");
+  ASSERT_EQ(DecimateEnclosing(lens, ring, {}, OptionsFor({ 40 }), decimation), "");
   const std::vector<Result> results = GetResults(decimation);
   ASSERT_EQ(results.size(), 1u);
   const double pi = std::acos(-1.0);
@@ -313,6 +314,19 @@ TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)
   {
     EXPECT_LE(Length(p), 1.0 / std::cos(pi / 16));
   }
+}
+
+// Parts are enclosed as well as the mesh, but errors are distances from the mesh.
+TEST(Decimation, EnclosesPartsAtADistanceFromTheMesh)
+{
+  std::mt19937_64 random(5);
+  const TriangleMesh outer = models::Sphere(3), inner = models::Moved(models::Sphere(2), {}, 0.5);
+  const TriangleMesh part = models::Moved(models::Sphere(2), {}, 0.8);
+  Decimation decimation;
+  ASSERT_EQ(DecimateEnclosing(outer, inner, part, OptionsFor({ 30 }), decimation), "");
+  ASSERT_EQ(decimation.Surfaces.size(), 1u);
+  EXPECT_GE(decimation.Surfaces[0].Error, 0.3); // between the radii
+  ExpectEnclosingSurface(outer, part, GetResults(decimation)[0], random);
 }
 
 // A real mesh is enclosed at a tenth of its vertices.
@@ -436,7 +450,7 @@ TEST(Decimation, RefusesWhatIsNoClosedSurface)
   const auto refusal = [](const TriangleMesh& mesh)
   {
     Decimation decimation;
-    return DecimateEnclosing(mesh, mesh, OptionsFor({ 10 }), decimation);
+    return DecimateEnclosing(mesh, mesh, {}, OptionsFor({ 10 }), decimation);
   };
   EXPECT_NE(refusal(models::Sheet(2)).find("is open: 8 edges"), std::string::npos);
   TriangleMesh twisted = models::Tetrahedron();

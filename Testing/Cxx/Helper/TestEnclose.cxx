@@ -382,8 +382,8 @@ TEST(Enclose, KnowsWhichShareIsMet)
   EXPECT_LT(reply.MetShare, 1.0); // where the two cross, no triangle can be met
 }
 
-// All faces of a level that lie on M are triangles of M or parts that are appended to these.
-TEST(Enclose, AppendsThePartsOnALevel)
+// All faces of a level that lie on M are triangles of M or parts of these.
+TEST(Enclose, ExtractsThePartsOfALevel)
 {
   const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
     models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
@@ -398,7 +398,7 @@ TEST(Enclose, AppendsThePartsOnALevel)
   {
     triangles.insert(cornersOf(mesh.Points, t));
   }
-  std::size_t appended = 0;
+  std::size_t extracted = 0;
   for (const int step : SpreadLevels(carved.Profile, 4))
   {
     const Level<3> level = ExtractLevel(carved.Stored, step);
@@ -411,28 +411,26 @@ TEST(Enclose, AppendsThePartsOnALevel)
         expected.insert(corners);
       }
     }
-    TriangleMesh input = { reply.Result.Unresolved.Points, reply.Result.Unresolved.Facets };
-    const auto own = static_cast<std::ptrdiff_t>(input.Triangles.size());
-    AppendParts(carved.Stored, level, input);
-    for (auto part = input.Triangles.begin() + own; part != input.Triangles.end(); ++part)
+    const TriangleMesh parts =
+      ExtractParts(carved.Stored, level, reply.Result.Unresolved.Points.size());
+    for (const Triangle& part : parts.Triangles)
     {
-      found.insert(cornersOf(input.Points, *part));
+      found.insert(cornersOf(parts.Points, part));
     }
     EXPECT_EQ(found, expected);
-    appended += found.size();
+    extracted += found.size();
   }
-  EXPECT_GT(appended, 0u);
+  EXPECT_GT(extracted, 0u);
 }
 
 // In exact mode, no face is a part.
-TEST(Enclose, AppendsNoPartsInExactMode)
+TEST(Enclose, HasNoPartsInExactMode)
 {
   const Reply reply = GetReply(models::Sphere(1), Conformity::Exact);
   const Carved carved = CarveResult(reply.Result);
-  TriangleMesh input = { reply.Result.Surface.Points, reply.Result.Surface.Facets };
-  const std::size_t own = input.Triangles.size();
-  AppendParts(carved.Stored, ExtractLevel(carved.Stored, carved.Stream.LastStep()), input);
-  EXPECT_EQ(input.Triangles.size(), own);
+  const Level<3> level = ExtractLevel(carved.Stored, carved.Stream.LastStep());
+  EXPECT_TRUE(
+    ExtractParts(carved.Stored, level, reply.Result.Surface.Points.size()).Triangles.empty());
 }
 
 // Pierced tetrahedra are never carved and have no priority.

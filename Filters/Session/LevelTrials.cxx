@@ -19,13 +19,22 @@ bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTar
     (target.Type != LevelTarget::ErrorBound && value < target.Value && surface.Reached);
 }
 
+/**
+ * Whether the error tells how good a surface is, rather than the number of vertices: it has reached
+ * a number, or is too far for an error bound.
+ */
+bool IsByError(LevelTarget type, const DecimatedSurface& surface)
+{
+  return (surface.Reached != 0) == (type != LevelTarget::ErrorBound);
+}
+
 bool IsBetter(LevelTarget type, const BestTrial& a, const BestTrial& b)
 {
   if (a.Surface->Reached != b.Surface->Reached)
   {
     return a.Surface->Reached > b.Surface->Reached;
   }
-  return a.Surface->Reached && type != LevelTarget::ErrorBound
+  return IsByError(type, *a.Surface)
     ? a.Surface->Error < b.Surface->Error
     : CountVertices(*a.Trial, *a.Surface) < CountVertices(*b.Trial, *b.Surface);
 }
@@ -76,10 +85,10 @@ double CostOf(LevelTarget type, const BestTrial& choice)
 {
   constexpr double notReached = 1e3;
   const DecimatedSurface& surface = *choice.Surface;
-  const double vertices = CountVertices(*choice.Trial, surface);
-  return !surface.Reached             ? notReached + std::log(vertices)
-    : type == LevelTarget::ErrorBound ? std::log(vertices)
-                                      : std::log(std::max(surface.Error, DBL_MIN));
+  const double cost = IsByError(type, surface)
+    ? std::log(std::max(surface.Error, DBL_MIN))
+    : std::log(static_cast<double>(CountVertices(*choice.Trial, surface)));
+  return surface.Reached ? cost : notReached + cost;
 }
 
 } // namespace

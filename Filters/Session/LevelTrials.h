@@ -74,7 +74,8 @@ int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surf
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
  * number, or for a smaller one if that is clearly closer to M. Those that reach a number come first,
- * the closest to M before all; within an error bound, those with the fewest vertices.
+ * the closest to M before all. Within an error bound, those with the fewest vertices do; where none
+ * is within, the closest one.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);

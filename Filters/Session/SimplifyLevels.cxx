@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace
 {
@@ -124,7 +125,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   constexpr int anyNumber = std::numeric_limits<int>::max();
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
-  const std::function<std::vector<LevelTrial>()> rounds[] = {
+  std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets); },
     [&] { return between(anyNumber); },
@@ -134,6 +135,10 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
     [&] { return between(carving::DecimationOptions::FewVertices); },
     [&] { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); },
   };
+  if (TriesCoarseStepsFirst(targets))
+  {
+    std::swap(rounds[0], rounds[1]);
+  }
   const double share = 1.0 / std::size(rounds);
   double done = 0.0;
   for (const auto& plan : rounds)

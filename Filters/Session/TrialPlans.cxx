@@ -190,6 +190,11 @@ bool IsWorthBound(const SimplifiedTarget& target, int vertices, double error, do
 
 } // namespace
 
+bool TriesCoarseStepsFirst(const std::vector<SimplifiedTarget>& targets)
+{
+  return targets.size() == 1 && targets.front().Type == LevelTarget::ErrorBound;
+}
+
 std::vector<LevelTrial> PlanTrialsOfLastSteps(const std::vector<SimplifiedTarget>& targets)
 {
   std::vector<LevelTrial> trials;
@@ -222,9 +227,10 @@ std::vector<LevelTrial> PlanTrials(
       }
     }
   }
-  // From fine to coarse: the first trials tell which others are worth their time.
+  // The first trials tell which others are worth their time.
   std::stable_sort(trials.begin(), trials.end(),
-    [](const LevelTrial& a, const LevelTrial& b) { return a.Step > b.Step; });
+    [coarseFirst = TriesCoarseStepsFirst(targets)](const LevelTrial& a, const LevelTrial& b)
+    { return coarseFirst ? a.Step < b.Step : a.Step > b.Step; });
   return trials;
 }
 

@@ -15,6 +15,14 @@
 
 #include <vector>
 
+/**
+ * Whether earlier steps are tried before the last one, from coarse to fine: for a single error bound.
+ * All steps that are too far are found without a trial, and most finer ones need more vertices than
+ * a result. With several bounds, the last step has to be tried for each of them: its levels may
+ * follow those of any step.
+ */
+bool TriesCoarseStepsFirst(const std::vector<carving::SimplifiedTarget>& targets);
+
 /** The last step for each target. */
 std::vector<LevelTrial> PlanTrialsOfLastSteps(
   const std::vector<carving::SimplifiedTarget>& targets);

@@ -179,17 +179,24 @@ double TrialRunner::FindLeastError(int step, double enough) const
 void TrialRunner::DropHopelessTargets(
   const std::vector<SimplifiedTarget>& targets, LevelTrial& trial) const
 {
-  if (trial.Step < trial.LastStep && targets.front().Type != LevelTarget::ErrorBound)
+  const bool byError = targets.front().Type == LevelTarget::ErrorBound;
+  if (byError && trial.Step == trial.LastStep)
+  {
+    return; // hardly any step is closer to M
+  }
+  if (!byError && trial.Step < trial.LastStep)
   {
     DropTargetsOfLastStep(this->Trials, this->Diagonal, trial);
   }
   const auto bestError = [&](double value)
   {
+    if (byError)
+    {
+      return value;
+    }
     const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
     const BestTrial best = FindBestTrial(this->Trials, target);
-    return !best.Trial || !best.Surface->Reached ? HUGE_VAL
-      : target.Type == LevelTarget::ErrorBound   ? value
-                                                 : best.Surface->Error;
+    return best.Trial && best.Surface->Reached ? best.Surface->Error : HUGE_VAL;
   };
   double worst = 0.0;
   for (const TrialTarget& target : trial.Targets)

@@ -4,6 +4,7 @@
  * Levels that are carved first and decimated then. What decimated surfaces have to obey is tested
  * with the helper.
  */
+#include "Core/Mesh/Box.h"
 #include "FilterTesting.h"
 #include "RandomModels.h"
 #include "Shapes.h"
@@ -236,6 +237,23 @@ TEST(LevelSimplification, StaysWithinAnErrorBound)
   CarveTo(subset, vtkTopologyCarver::ERROR_BOUND, 0.1);
   EXPECT_LE(GetFieldValue(LastLevel(simplified), "Error"), 0.1);
   EXPECT_LT(LastLevel(simplified)->GetNumberOfPoints(), LastLevel(subset)->GetNumberOfPoints());
+}
+
+// Where kept tetrahedra are farther from the mesh than an error bound, the level is about as close
+// as these: within their tolerance, with the error's accuracy.
+TEST(LevelSimplification, IsCloseWhereAnErrorBoundIsOutOfReach)
+{
+  constexpr double tolerance = 0.01;
+  const auto tori = models::Joined(models::Torus(1.0, 0.4, 12, 8),
+    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->SetEnclosingTolerance(tolerance);
+  carver->SetInputData(ToPolyData(tori));
+  CarveTo(carver, vtkTopologyCarver::ERROR_BOUND, 1e-6);
+  EXPECT_LE(
+    GetFieldValue(LastLevel(carver), "Error"), 1.01 * tolerance * carving::Diagonal(tori.Points));
 }
 
 // Without targets, levels have the vertex counts of those of a carving by the same measure, and end

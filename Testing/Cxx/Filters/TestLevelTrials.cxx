@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -167,6 +168,48 @@ TEST(LevelTrials, AreRankedByDistance)
   EXPECT_EQ(ranked[0].Trial, &trials[1]);
   EXPECT_EQ(ranked[0].Surface->Error, 0.01);
   EXPECT_EQ(ranked[1].Surface->Error, 0.03);
+}
+
+// Within an error bound, the trial with the fewest vertices comes first; where none is within, the
+// closest one.
+TEST(LevelTrials, AreRankedByVerticesWithinABound)
+{
+  const SimplifiedTarget target = { LevelTarget::ErrorBound, LastStep, 0.1, {} };
+  std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { 500, 0.04 } }),
+    MakeTrial(50, { { 200, 0.08 } }) };
+  for (LevelTrial& trial : trials)
+  {
+    trial.Targets = { { target.Value } };
+  }
+  EXPECT_EQ(FindBestTrial(trials, target).Trial, &trials[1]);
+  for (LevelTrial& trial : trials)
+  {
+    trial.Result.Surfaces[0].Reached = false;
+    trial.Result.Surfaces[0].Error += 0.1;
+  }
+  EXPECT_EQ(FindBestTrial(trials, target).Trial, &trials[0]);
+  EXPECT_EQ(ChooseTrials(trials, { target }).front().Trial, &trials[0]);
+}
+
+// Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error bound.
+TEST(LevelTrials, StartFromTheStepsThatTellMost)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices[step] = 10 + 5 * step;
+  }
+  const auto hasFirst = [&](LevelTarget type, const auto& isBefore)
+  {
+    const std::vector<LevelTrial> trials = PlanTrials(profile, { { type, LastStep, 20.0, {} } });
+    ASSERT_GT(trials.size(), 2u);
+    for (std::size_t i = 1; i < trials.size(); ++i)
+    {
+      EXPECT_TRUE(isBefore(trials[i - 1].Step, trials[i].Step));
+    }
+  };
+  hasFirst(LevelTarget::Vertices, std::greater<int>());
+  hasFirst(LevelTarget::ErrorBound, std::less<int>());
 }
 
 // A level with fewer vertices than a target allows does not stand in for one that is as far from M

@@ -93,16 +93,31 @@ double CountVertices(const SimplifiedTarget& target)
                                               : 1.0;
 }
 
+/** The coarsest steps that are worth a trial for a target, from fine to coarse. */
+std::vector<int> FindCoarsestSteps(const Profile& profile, const SimplifiedTarget& target)
+{
+  if (target.Type != LevelTarget::ErrorBound)
+  {
+    return { 0 };
+  }
+  // Vertices that slide inward bring some steps to within the bound that are a little farther.
+  constexpr double farther = 1.25;
+  const auto findStep = [&](double bound)
+  { return carving::SelectStep(profile, target.Type, bound).Step; };
+  return { findStep(target.Value), findStep(farther * target.Value) };
+}
+
 /** The steps before the last one that are decimated for a target at first, from fine to coarse. */
 std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
 {
   const int last = target.LastStep;
+  const std::vector<int> coarsest = FindCoarsestSteps(profile, target);
   std::vector<int> steps = { last };
   const double least = CountVertices(target);
   for (double count = profile.Vertices[last] / 2.0; count >= least; count /= 2.0)
   {
     const int step = FindStep(profile, last, count);
-    if (step < 0)
+    if (step < coarsest.front())
     {
       break;
     }
@@ -123,9 +138,14 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
       }
     }
   }
-  if (steps.back() > 0) // collapses of a convex hull do not stick
+  for (const int step : coarsest)
   {
-    steps.push_back(0);
+    // A hull's collapses do not stick. Where parts touch, equal numbers hide different surfaces.
+    const bool isCheap = step == 0 || profile.Vertices[step] <= DecimationOptions::FewVertices;
+    if (steps.back() > step && (isCheap || !HaveSameTopology(profile, step, steps.back())))
+    {
+      steps.push_back(step);
+    }
   }
   steps.erase(steps.begin());
   return steps;

@@ -17,9 +17,9 @@
 
 /**
  * Whether earlier steps are tried before the last one, from coarse to fine: for a single error bound.
- * All steps that are too far are found without a trial, and most finer ones need more vertices than
- * a result. With several bounds, the last step has to be tried for each of them: its levels may
- * follow those of any step.
+ * The coarsest step within the bound mostly has a result with fewer vertices than the topology of
+ * most finer steps needs. With several bounds, the last step has to be tried for each of them: its
+ * levels may follow those of any step.
  */
 bool TriesCoarseStepsFirst(const std::vector<carving::SimplifiedTarget>& targets);
 
@@ -30,8 +30,9 @@ std::vector<LevelTrial> PlanTrialsOfLastSteps(
 /**
  * Earlier steps: at halved numbers of vertices where the topology differs (if there are none, at
  * halved numbers of components and tunnels), C0, and the steps that reach numbers without a
- * collapse: no level is farther from M. Each is tried for all finer numbers, too. The targets are
- * of one type and sorted from coarse to fine.
+ * collapse: no level is farther from M. Each is tried for all finer numbers, too. For an error
+ * bound, the coarsest steps about within it take the place of C0. The targets are of one type and
+ * sorted from coarse to fine.
  */
 std::vector<LevelTrial> PlanTrials(
   const carving::Profile& profile, const std::vector<carving::SimplifiedTarget>& targets);

@@ -179,21 +179,16 @@ double TrialRunner::FindLeastError(int step, double enough) const
 void TrialRunner::DropHopelessTargets(
   const std::vector<SimplifiedTarget>& targets, LevelTrial& trial) const
 {
-  const bool byError = targets.front().Type == LevelTarget::ErrorBound;
-  if (byError && trial.Step == trial.LastStep)
+  if (targets.front().Type == LevelTarget::ErrorBound)
   {
-    return; // hardly any step is closer to M
+    return; // no step is planned that is much too far
   }
-  if (!byError && trial.Step < trial.LastStep)
+  if (trial.Step < trial.LastStep)
   {
     DropTargetsOfLastStep(this->Trials, this->Diagonal, trial);
   }
   const auto bestError = [&](double value)
   {
-    if (byError)
-    {
-      return value;
-    }
     const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
     const BestTrial best = FindBestTrial(this->Trials, target);
     return best.Trial && best.Surface->Reached ? best.Surface->Error : HUGE_VAL;

@@ -191,6 +191,24 @@ TEST(LevelTrials, AreRankedByVerticesWithinABound)
   EXPECT_EQ(ChooseTrials(trials, { target }).front().Trial, &trials[0]);
 }
 
+// No step is tried that is more than a quarter farther than an error bound. The coarsest one that is
+// left is tried, and so is the coarsest one within the bound.
+TEST(LevelTrials, StayNearABound)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Error.push_back(LastStep - step);
+  }
+  std::vector<int> steps;
+  for (const LevelTrial& trial :
+    PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }))
+  {
+    steps.push_back(trial.Step);
+  }
+  EXPECT_EQ(steps, (std::vector<int>{ 75, 80 }));
+}
+
 // Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error bound.
 TEST(LevelTrials, StartFromTheStepsThatTellMost)
 {
@@ -198,10 +216,11 @@ TEST(LevelTrials, StartFromTheStepsThatTellMost)
   for (int step = 0; step <= LastStep; ++step)
   {
     profile.Vertices[step] = 10 + 5 * step;
+    profile.Error.push_back(LastStep - step);
   }
   const auto hasFirst = [&](LevelTarget type, const auto& isBefore)
   {
-    const std::vector<LevelTrial> trials = PlanTrials(profile, { { type, LastStep, 20.0, {} } });
+    const std::vector<LevelTrial> trials = PlanTrials(profile, { { type, LastStep, 90.0, {} } });
     ASSERT_GT(trials.size(), 2u);
     for (std::size_t i = 1; i < trials.size(); ++i)
     {

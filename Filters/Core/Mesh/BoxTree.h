@@ -94,9 +94,19 @@ public:
   template <class Predicate>
   bool AnyOverlap(const Box& box, Predicate&& predicate) const
   {
-    return this->Walk([&box](const Box& other) { return other.Overlaps(box); },
-      [](const Box&, const Box&) { return false; },
-      [&](int item) { return this->All.BoxOf(item).Overlaps(box) && predicate(item); });
+    return this->Any([&box](const Box& other) { return other.Overlaps(box); }, predicate);
+  }
+
+  /**
+   * Whether `predicate` holds for any item whose box `meets` accepts. It has to accept all boxes
+   * around an accepted one.
+   */
+  template <class BoxPredicate, class Predicate>
+  bool Any(BoxPredicate&& meets, Predicate&& predicate) const
+  {
+    return this->Walk(
+      meets, [](const Box&, const Box&) { return false; },
+      [&](int item) { return meets(this->All.BoxOf(item)) && predicate(item); });
   }
 
   /**

@@ -4,11 +4,10 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Enclosing/Pierce.h"
+#include "Helper/Decimation/LostParts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace carving::helper
 {
@@ -17,105 +16,6 @@ namespace
 
 /** The distance that contacts leave, as a fraction of M's diagonal: well above rounding errors. */
 constexpr double RelativeMargin = 2e-9;
-
-/** A part of the solid that is lost when faces around w replace those of a star. */
-template <std::size_t N>
-struct LostPart
-{
-  explicit LostPart(const std::array<Point, N>& corners)
-    : Bounds(BoxAround(corners))
-  {
-    std::transform(corners.begin(), corners.end(), this->Corners.begin(),
-      [](const Point& corner) { return ToInexact(corner); });
-  }
-
-  Box Bounds;
-  std::array<Inexact::Point_3, N> Corners;
-};
-
-using LostTetrahedron = LostPart<4>;
-using LostTriangle = LostPart<3>;
-
-/** The side of a triangle's edge from corner k on: positive where the triangle is. */
-CGAL::Orientation SideOfEdge(const std::array<Point, 3>& triangle, int k, const Point& p)
-{
-  return CGAL::coplanar_orientation(ToInexact(triangle[k]), ToInexact(triangle[(k + 1) % 3]),
-    ToInexact(triangle[(k + 2) % 3]), ToInexact(p));
-}
-
-/**
- * Whether a sheet ends at the edge of a face from corner k on: another face in its plane has the
- * same edge and lies on the same side of it, but none continues on the other side.
- */
-bool EndsSheet(
-  const std::vector<std::array<Point, 3>>& inPlane, const std::array<Point, 3>& face, int k)
-{
-  bool ends = false;
-  for (const auto& other : inPlane)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      if (other[i] == face[(k + 1) % 3] && other[(i + 1) % 3] == face[k])
-      {
-        if (SideOfEdge(face, k, other[(i + 2) % 3]) != CGAL::POSITIVE)
-        {
-          return false;
-        }
-        ends = true;
-      }
-    }
-  }
-  return ends;
-}
-
-/**
- * The parts of sheets between w and those ends that vanish with the star. `flat` are the indices of
- * its faces in a plane with w.
- */
-std::vector<LostTriangle> FindLostFromSheets(
-  const Star& star, const std::vector<std::size_t>& flat, const Point& w)
-{
-  std::vector<std::array<Point, 3>> faces;
-  std::transform(flat.begin(), flat.end(), std::back_inserter(faces),
-    [&star](std::size_t i) { return star.Corners[i]; });
-  std::vector<LostTriangle> lost;
-  for (const std::size_t i : flat)
-  {
-    const std::array<Point, 3>& face = star.Corners[i];
-    for (int k = 0; k < 3; ++k)
-    {
-      const std::array<Point, 2> edge = { face[k], face[(k + 1) % 3] };
-      const bool remains = i < star.Link.size() && star.Link[i] == edge;
-      if (!remains && SideOfEdge(face, k, w) == CGAL::POSITIVE && EndsSheet(faces, face, k))
-      {
-        lost.emplace_back(std::array{ edge[0], edge[1], w });
-      }
-    }
-  }
-  return lost;
-}
-
-/** Whether a triangle pierces a lost tetrahedron, or overlaps a face of one in an area. */
-bool Meets(const Piercer& triangle, const LostTetrahedron& lost)
-{
-  return triangle.FindContact(lost.Corners).Exists();
-}
-
-/** Whether a triangle overlaps a lost one in an area. */
-bool Meets(const Piercer& triangle, const LostTriangle& lost)
-{
-  return std::all_of(lost.Corners.begin(), lost.Corners.end(),
-           [&](const auto& corner) { return triangle.SideOf(corner) == CGAL::COPLANAR; }) &&
-    Overlap(triangle.GetCorners(), lost.Corners);
-}
-
-/** Whether a triangle with a bounding box may lose a point with any lost part. */
-template <class Part>
-bool MeetsAny(const Piercer& triangle, const Box& bounds, const std::vector<Part>& lost)
-{
-  return std::any_of(lost.begin(), lost.end(),
-    [&](const Part& part) { return part.Bounds.Overlaps(bounds) && Meets(triangle, part); });
-}
 
 } // namespace
 
@@ -198,7 +98,7 @@ std::optional<FirstContact> Obstacle::FindContact(
 {
   this->MoveTo(star, { from, to });
   ContactSearch search(star.Link, from, to, this->Margin);
-  this->Triangles.AnyOverlap(search.GetPath(),
+  this->Triangles.Any([path = search.GetPath()](const Box& box) { return box.Overlaps(path); },
     [&](const Box&, const std::array<Point, 3>& corners)
     {
       search.AddTriangle(corners[0], corners[1], corners[2]);
@@ -241,35 +141,11 @@ std::optional<FirstContact> Obstacle::FindContact(
  */
 bool Obstacle::StaysEnclosed(const Star& star, const Point& w)
 {
-  std::vector<LostTetrahedron> tetrahedra;
-  tetrahedra.reserve(star.Corners.size());
-  std::vector<std::size_t> flat;
-  for (std::size_t i = 0; i < star.Corners.size(); ++i)
-  {
-    const std::array<Point, 3>& face = star.Corners[i];
-    const auto [a, b, c] = ToInexact(face);
-    const CGAL::Orientation side = CGAL::orientation(a, b, c, ToInexact(w));
-    if (side == CGAL::NEGATIVE)
-    {
-      tetrahedra.emplace_back(std::array{ face[0], face[2], face[1], w });
-    }
-    else if (side == CGAL::COPLANAR)
-    {
-      flat.push_back(i);
-    }
-  }
-  const std::vector<LostTriangle> triangles = FindLostFromSheets(star, flat, w);
-  Box region;
-  const auto addToRegion = [&region](const auto& part) { region.Add(part.Bounds); };
-  std::for_each(tetrahedra.begin(), tetrahedra.end(), addToRegion);
-  std::for_each(triangles.begin(), triangles.end(), addToRegion);
+  const LostParts lost(star, w);
   this->MoveTo(star, { w });
-  return !this->Triangles.AnyOverlap(region,
-    [&](const Box& bounds, const std::array<Point, 3>& corners)
-    {
-      const Piercer triangle(ToInexact(corners));
-      return MeetsAny(triangle, bounds, tetrahedra) || MeetsAny(triangle, bounds, triangles);
-    });
+  return !this->Triangles.Any([&lost](const Box& box) { return lost.MayMeet(box); },
+    [&lost](const Box& bounds, const std::array<Point, 3>& corners)
+    { return lost.Meet(corners, bounds); });
 }
 
 /** Prepares for searches about a star and further points. */

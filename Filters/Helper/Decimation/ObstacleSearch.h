@@ -37,15 +37,18 @@ public:
   /** Prepares for searches within a region. Searches outside may miss triangles. */
   void MoveTo(const Box& region);
 
-  /** Whether `predicate` holds for box and corners of any triangle whose box overlaps another. */
-  template <class Predicate>
-  bool AnyOverlap(const Box& box, Predicate&& predicate) const
+  /**
+   * Whether `predicate` holds for box and corners of any triangle whose box `meets` accepts. It has
+   * to accept all boxes around an accepted one.
+   */
+  template <class BoxPredicate, class Predicate>
+  bool Any(BoxPredicate&& meets, Predicate&& predicate) const
   {
     return this->HasCopies
       ? std::any_of(this->Copies.begin(), this->Copies.end(),
           [&](const Copy& copy)
-          { return copy.Bounds.Overlaps(box) && predicate(copy.Bounds, copy.Corners); })
-      : this->Tree.AnyOverlap(box,
+          { return meets(copy.Bounds) && predicate(copy.Bounds, copy.Corners); })
+      : this->Tree.Any(meets,
           [&](int t)
           {
             const FacetItems<3>& items = this->Tree.GetItems();

@@ -6,7 +6,7 @@
 #ifndef carving_Pierce_h
 #define carving_Pierce_h
 
-#include "Core/Mesh/Vector.h"
+#include "Core/Mesh/Box.h"
 #include "Helper/Base/CoplanarTriangles.h"
 
 #include <algorithm>
@@ -68,6 +68,18 @@ public:
     side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
     return this->Usable && w.Most > Tiny && w.Most < Huge &&
       std::abs(determinant) > this->Limit * w.Most;
+  }
+
+  /** Whether the determinant is certainly positive for every w in a box. */
+  bool IsPositiveIn(const Box& box) const
+  {
+    double least = 0.0, most = 0.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      least += std::min(this->Normal[k] * box.Lower[k], this->Normal[k] * box.Upper[k]);
+      most = std::max({ most, std::abs(box.Lower[k]), std::abs(box.Upper[k]) });
+    }
+    return this->Usable && most > Tiny && most < Huge && least > this->Limit * most;
   }
 
 private:

@@ -5,6 +5,7 @@
  */
 #include "Core/Mesh/Vector.h"
 #include "Helper/Decimation/Obstacle.h"
+#include "Helper/Enclosing/Pierce.h"
 #include "Helper/Resolve/Clean.h"
 
 #include <gtest/gtest.h>
@@ -202,4 +203,53 @@ TEST(Obstacle, StaysEnclosedBySheets)
     const FacetTree<3> treeOfSame(same);
     EXPECT_FALSE(helper::Obstacle(treeOfSame).StaysEnclosed(star, { radius, 0.0, z + 0.1 })) << run;
   }
+}
+
+// A triangle stays enclosed unless it pierces a tetrahedron between the new place of a vertex and a
+// face around the old one that this place is behind, or overlaps a face of one in an area: at any
+// scale, also where much lies in one plane.
+TEST(Obstacle, LosesWhatRemovedTetrahedraContain)
+{
+  std::mt19937_64 random(23);
+  int lost = 0, kept = 0;
+  for (int run = 0; run < 20000; ++run)
+  {
+    const double scale = std::ldexp(1.0, static_cast<int>(random() % 401) - 200);
+    const auto draw = [&]
+    {
+      Point p;
+      std::generate(p.begin(), p.end(), [&] { return scale * static_cast<double>(random() % 6); });
+      return p;
+    };
+    const Point w = draw();
+    std::vector<Point> ring(3 + run % 3);
+    std::generate(ring.begin(), ring.end(), draw);
+    const helper::Star star(MakeTent(draw(), ring), Vertex(0));
+    ResolvedMesh mesh;
+    mesh.Points = { draw(), draw(), draw() };
+    mesh.Facets = { { 0, 1, 2 } };
+    const auto triangle = helper::ToInexact(CornersOf<3>(mesh.Points, mesh.Facets[0]));
+    if (CGAL::collinear(triangle[0], triangle[1], triangle[2]))
+    {
+      continue;
+    }
+    const helper::Piercer piercer(triangle);
+    bool meets = false, isFlat = false;
+    for (const auto& face : star.Corners)
+    {
+      const auto [a, b, c] = helper::ToInexact(face);
+      const auto d = helper::ToInexact(w);
+      const CGAL::Orientation side = CGAL::orientation(a, b, c, d);
+      isFlat |= side == CGAL::COPLANAR;
+      meets |= side == CGAL::NEGATIVE && piercer.FindContact({ a, c, b, d }).Exists();
+    }
+    if (!isFlat) // or a sheet might lose a part
+    {
+      const FacetTree<3> tree(mesh);
+      ASSERT_EQ(helper::Obstacle(tree).StaysEnclosed(star, w), !meets) << run;
+      ++(meets ? lost : kept);
+    }
+  }
+  EXPECT_GT(lost, 1000);
+  EXPECT_GT(kept, 1000);
 }

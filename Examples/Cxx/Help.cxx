@@ -142,7 +142,8 @@ LEVELS
     --error-bound X,X,...
         The first level such that no point of it, or of any level after it, is
         farther from the mesh than this length. With --simplify, the level with the
-        fewest vertices that some trials find within this length.
+        fewest vertices that some trials find within this length, or if there is
+        none, the closest.
 
     --step N,N,...
         The level after this number of carving steps.

@@ -20,8 +20,8 @@ bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTar
 }
 
 /**
- * Whether the error tells how good a surface is, rather than the number of vertices: it has reached
- * a number, or is too far for an error bound.
+ * Whether the error tells how good a surface is, rather than the number of vertices: the surface has
+ * reached a number, or is too far for an error bound.
  */
 bool IsByError(LevelTarget type, const DecimatedSurface& surface)
 {

@@ -74,8 +74,8 @@ int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surf
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
  * number, or for a smaller one if that is clearly closer to M. Those that reach a number come first,
- * the closest to M before all. Within an error bound, those with the fewest vertices do; where none
- * is within, the closest one.
+ * the closest to M before all. For an error bound, those within it come first, with the fewest
+ * vertices before all; the closest of the others follows.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);

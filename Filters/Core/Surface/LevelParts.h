@@ -13,8 +13,8 @@ namespace carving
 {
 
 /**
- * The faces of a level that are parts of M's triangles. `numberOfPoints` is M's. There are none in
- * exact mode.
+ * The faces of a level that are parts of M's triangles. M has `numberOfPoints` points. There are
+ * none in exact mode.
  *
  * In enclosing mode, the points that divide a triangle of M are rounded. Levels enclose the parts,
  * but the triangle only up to these roundings. A surface that changes has to be kept around the

@@ -36,8 +36,8 @@ class Decimator
 {
 public:
   /**
-   * `surface` encloses `obstacle`, which is M, in parts as well if M is divided. The tree and the
-   * distances, from M and from `surface` as given, must outlive this object.
+   * `surface` encloses `obstacle`: M, and the parts of M's triangles that are divided. The tree and
+   * the distances, from M and from `surface` as given, must outlive this object.
    */
   Decimator(SurfaceMesh surface, const FacetTree<3>& obstacle, const FaceDistance<3>& fromM,
     const FaceDistance<3>& fromStart, bool nested);

@@ -55,6 +55,7 @@ std::string Prepare(const TriangleMesh& given, ResolvedMesh& surface)
   return MakeClosedSurface(surface);
 }
 
+/** A mesh together with the parts of its triangles, cleaned. */
 ResolvedMesh JoinMeshes(const TriangleMesh& mesh, const TriangleMesh& parts)
 {
   TriangleMesh all = mesh;

@@ -141,8 +141,8 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
   for (const int step : coarsest)
   {
     // A hull's collapses do not stick. Where parts touch, equal numbers hide different surfaces.
-    const bool isCheap = step == 0 || profile.Vertices[step] <= DecimationOptions::FewVertices;
-    if (steps.back() > step && (isCheap || !HaveSameTopology(profile, step, steps.back())))
+    const bool inAnyCase = step == 0 || profile.Vertices[step] <= DecimationOptions::FewVertices;
+    if (steps.back() > step && (inAnyCase || !HaveSameTopology(profile, step, steps.back())))
     {
       steps.push_back(step);
     }

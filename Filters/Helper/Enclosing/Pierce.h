@@ -66,8 +66,7 @@ public:
   {
     const double determinant = Dot(this->Normal, w.Along);
     side = determinant > 0.0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
-    return this->Usable && w.Most > Tiny && w.Most < Huge &&
-      std::abs(determinant) > this->Limit * w.Most;
+    return this->IsCertain(std::abs(determinant), w.Most);
   }
 
   /** Whether the determinant is certainly positive for every w in a box. */
@@ -79,10 +78,16 @@ public:
       least += std::min(this->Normal[k] * box.Lower[k], this->Normal[k] * box.Upper[k]);
       most = std::max({ most, std::abs(box.Lower[k]), std::abs(box.Upper[k]) });
     }
-    return this->Usable && most > Tiny && most < Huge && least > this->Limit * most;
+    return this->IsCertain(least, most);
   }
 
 private:
+  /** Whether a positive determinant exceeds its rounding error. `most` is that of w. */
+  bool IsCertain(double determinant, double most) const
+  {
+    return this->Usable && most > Tiny && most < Huge && determinant > this->Limit * most;
+  }
+
   static constexpr double Bound = 1.5e-14;
   static constexpr double Tiny = 1e-90, Huge = 1e90; ///< in between, nothing under- or overflows
   Point Normal;

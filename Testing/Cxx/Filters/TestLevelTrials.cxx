@@ -73,6 +73,7 @@ carving::Profile TunnelAtEachStep()
     profile.Components.push_back(1);
     profile.Tunnels.push_back(step);
     profile.Voids.push_back(0);
+    profile.Error.push_back(LastStep - step);
   }
   return profile;
 }
@@ -195,14 +196,9 @@ TEST(LevelTrials, AreRankedByVerticesWithinABound)
 // left is tried, and so is the coarsest one within the bound.
 TEST(LevelTrials, StayNearABound)
 {
-  carving::Profile profile = TunnelAtEachStep();
-  for (int step = 0; step <= LastStep; ++step)
-  {
-    profile.Error.push_back(LastStep - step);
-  }
   std::vector<int> steps;
   for (const LevelTrial& trial :
-    PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }))
+    PlanTrials(TunnelAtEachStep(), { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }))
   {
     steps.push_back(trial.Step);
   }
@@ -216,9 +212,8 @@ TEST(LevelTrials, StartFromTheStepsThatTellMost)
   for (int step = 0; step <= LastStep; ++step)
   {
     profile.Vertices[step] = 10 + 5 * step;
-    profile.Error.push_back(LastStep - step);
   }
-  const auto hasFirst = [&](LevelTarget type, const auto& isBefore)
+  const auto expectOrder = [&](LevelTarget type, const auto& isBefore)
   {
     const std::vector<LevelTrial> trials = PlanTrials(profile, { { type, LastStep, 90.0, {} } });
     ASSERT_GT(trials.size(), 2u);
@@ -227,8 +222,8 @@ TEST(LevelTrials, StartFromTheStepsThatTellMost)
       EXPECT_TRUE(isBefore(trials[i - 1].Step, trials[i].Step));
     }
   };
-  hasFirst(LevelTarget::Vertices, std::greater<int>());
-  hasFirst(LevelTarget::ErrorBound, std::less<int>());
+  expectOrder(LevelTarget::Vertices, std::greater<int>());
+  expectOrder(LevelTarget::ErrorBound, std::less<int>());
 }
 
 // A level with fewer vertices than a target allows does not stand in for one that is as far from M

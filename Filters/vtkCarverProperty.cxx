@@ -54,7 +54,8 @@ std::vector<vtkCarverProperty> MakeProperties()
     { NAMED(SnapTolerance), NoChoices, 0.0, 1.0, Stored,
       "The distance that points may be moved where the mesh cannot be tetrahedralized as given, as "
       "a share of the mesh's diagonal, so that parts that nearly touch do touch. The snapped mesh "
-      "then takes the place of the mesh. 0: no point is moved. Worth a try: 1e-6." },
+      "then takes the place of the mesh. The default removes roundings. 0: no point is moved. "
+      "Worth a try if parts nearly touch: 1e-6." },
     { NAMED(TimeLimit), NoChoices, 0.0, VTK_DOUBLE_MAX, NotStored,
       "The wall-clock time that one attempt at a tetrahedralization may take, in seconds. 0: a "
       "limit that is rarely reached." },

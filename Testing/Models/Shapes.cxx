@@ -153,6 +153,25 @@ TriangleMesh Sheet(int n)
   return mesh;
 }
 
+TriangleMesh Lattice(int n)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < 2 * n; ++i)
+  {
+    const int along = i % 2;
+    for (const Point& p :
+      { Point{ 0.0, 0.0, 0.0 }, Point{ n + 1.0, 0.0, 0.0 }, Point{ 0.0, 0.0, 9.0 } })
+    {
+      Point corner = { 0.0, 0.0, p[2] };
+      corner[along] = p[0];
+      corner[1 - along] = i / 2 + 1.0;
+      mesh.Points.push_back(corner);
+    }
+    mesh.Triangles.push_back({ 3 * i, 3 * i + 1, 3 * i + 2 });
+  }
+  return mesh;
+}
+
 TriangleMesh CloseSpheres()
 {
   const TriangleMesh sphere = Sphere(3);

@@ -29,6 +29,8 @@ TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m);
 TriangleMesh BumpyTorus(int points);
 /** An open sheet over the unit square in the xy plane, n x n quadrilaterals, split in two. */
 TriangleMesh Sheet(int n);
+/** n upright triangles along x, each of which crosses each of n others along y: n x n pairs. */
+TriangleMesh Lattice(int n);
 
 TriangleMesh Moved(TriangleMesh mesh, const carving::Point& translation, double scale = 1.0);
 /** The mesh with each point moved along x by twice its z. */

@@ -28,15 +28,16 @@ constexpr int NumberOfSnappedOrders = 3; ///< on each grid
 constexpr int NumberOfGrids = 3;
 constexpr double GridRatio = 8.0; ///< between the spacings of one grid and the next
 /**
- * Auto does not resolve a mesh with more pairs of triangles that cross: TetGen would fail. Every
- * crossing may be the one at which it fails, so that their number matters, but on large meshes
- * crossings are farther apart. Of measured meshes with more, none came through; with fewer, most.
+ * Auto does not resolve a mesh with more pairs of triangles that cross: TetGen would fail, or on
+ * small meshes take longer than enclosing. Every crossing may be the one at which TetGen fails, so
+ * that their number matters, but on large meshes crossings are farther apart. Of measured meshes
+ * with fewer pairs, most came through; of large ones with more, none.
  */
 double MaximumPairs(const Job& job, std::size_t numberOfFacets)
 {
   const double facets = static_cast<double>(numberOfFacets);
   return job.Conformity == Conformity::Auto
-    ? std::min(2.0 * facets, std::max(15000.0, 0.4 * facets))
+    ? std::max(0.4 * facets, std::min(15000.0, 5000.0 + 2.0 * facets))
     : HUGE_VAL;
 }
 
@@ -163,13 +164,28 @@ bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
   const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
+  const double maximumPairs = MaximumPairs(this->TheJob, given.Facets.size());
   double spacing = GridSpacing(tolerance);
-  for (int grid = 0; grid < NumberOfGrids; ++grid, spacing /= GridRatio)
+  SnappedMesh snapped;
+  // Where too many pairs cross each other, hardly fewer do so on a finer grid.
+  for (int grid = 0; grid < NumberOfGrids && snapped.IntersectingPairs <= maximumPairs; ++grid)
   {
-    if (this->TryGrid(given, tolerance, spacing))
+    this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
+    this->Host.Begin(Stage::Resolve);
+    std::string mistake = Snap(given, spacing, this->Host.Report, maximumPairs, snapped);
+    this->Host.End();
+    mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
+    if (!mistake.empty())
+    {
+      std::ostringstream text;
+      text << "Snapping: on a grid of " << spacing << ", " << mistake;
+      this->Failures.Add("", { text.str() });
+    }
+    else if (this->TryMoved(snapped))
     {
       return true;
     }
+    spacing /= GridRatio;
   }
   return false;
 }
@@ -186,22 +202,8 @@ std::string ExactAttempts::CheckSnapped(const SnappedMesh& snapped, double toler
     : CheckVolume(snapped.Mesh, this->FurtherPoints(snapped.Mesh.Points));
 }
 
-bool ExactAttempts::TryGrid(const ResolvedMesh& given, double tolerance, double spacing)
+bool ExactAttempts::TryMoved(SnappedMesh& snapped)
 {
-  this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
-  this->Host.Begin(Stage::Resolve);
-  SnappedMesh snapped;
-  std::string mistake = Snap(
-    given, spacing, this->Host.Report, MaximumPairs(this->TheJob, given.Facets.size()), snapped);
-  this->Host.End();
-  mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
-  if (!mistake.empty())
-  {
-    std::ostringstream text;
-    text << "Snapping: on a grid of " << spacing << ", " << mistake;
-    this->Failures.Add("", { text.str() });
-    return false;
-  }
   this->TheReply.Result.Surface = std::move(snapped.Mesh);
   this->TheReply.IntersectingPairs = snapped.IntersectingPairs;
   this->TheReply.SnapDistance = snapped.Distance;

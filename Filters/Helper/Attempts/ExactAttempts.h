@@ -29,8 +29,8 @@ private:
   bool MayRecover() const;
   bool TryFirst(const std::function<bool()>& isResolved = {});
   bool TryWithoutInterior();
-  bool TryGrid(const ResolvedMesh& given, double tolerance, double spacing);
   std::string CheckSnapped(const SnappedMesh& snapped, double tolerance) const;
+  bool TryMoved(SnappedMesh& snapped);
 };
 
 } // namespace carving::helper

@@ -42,6 +42,13 @@ Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
   return limits;
 }
 
+Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets)
+{
+  Limits limits = LimitsOfExact(job, numberOfFacets);
+  limits.ProcessorSeconds *= 0.25;
+  return limits;
+}
+
 double PatienceBeforeEnclosing(const Job& job, std::size_t numberOfFacets)
 {
   return 0.25 * LimitsOfExact(job, numberOfFacets).ProcessorSeconds;

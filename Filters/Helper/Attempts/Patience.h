@@ -20,6 +20,9 @@ Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t 
 /** For resolving a mesh of so many triangles and all attempts at it together. */
 Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
+/** For all attempts at the mesh with its points moved: those that succeed soon do. */
+Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets);
+
 /**
  * The seconds by the clock that exact attempts at a mesh of so many triangles may take before it is
  * enclosed beside them. Most successful attempts take less.

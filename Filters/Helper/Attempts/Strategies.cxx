@@ -80,10 +80,12 @@ bool StrategyRun::TryAllExact()
   {
     return false;
   }
-  const Limits limits = LimitsOfExact(this->TheJob, this->TheReply.Result.Surface.Facets.size());
-  if (this->TryInChild("", "Resolving and tetrahedralizing ", limits, { Task::Goal::Exact }) ||
+  const std::size_t facets = this->TheReply.Result.Surface.Facets.size();
+  if (this->TryInChild("", "Resolving and tetrahedralizing ", LimitsOfExact(this->TheJob, facets),
+        { Task::Goal::Exact }) ||
     (this->TheJob.SnapTolerance > 0.0 && !this->IsCustom &&
-      this->TryInChild("", "Snapping ", limits, { Task::Goal::Snapped })))
+      this->TryInChild(
+        "", "Snapping ", LimitsOfSnapped(this->TheJob, facets), { Task::Goal::Snapped })))
   {
     return true;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Convert/ArrayTools.h"
+#include "Core/Mesh/Box.h"
 #include "FilterTesting.h"
 
 #include "RandomModels.h"
@@ -75,6 +76,7 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   vtkNew<vtkTopologyCarver> carver;
   carver->SetInputData(input);
   carver->SetConformity(vtkTopologyCarver::EXACT);
+  carver->SetSnapTolerance(0.0);
   {
     Messages messages(carver);
     carver->Update();
@@ -107,6 +109,24 @@ TEST(Conformity, SnappedVerticesAreSaidToBeNew)
   EXPECT_LT(moved, level->GetNumberOfPoints()); // points at 0 and 1 are on every grid
   EXPECT_EQ(GetFieldValue(level, "NewVertices"), moved);
   ExpectSameLevelsFromStream(carver);
+}
+
+// By default, a surface that is there twice, but for roundings, is met as one.
+TEST(Conformity, RemovesRoundingsByDefault)
+{
+  std::mt19937_64 random(1);
+  const carving::TriangleMesh sphere = models::Sphere(1);
+  vtkNew<vtkTopologyCarver> carver;
+  Carve(carver, ToPolyData(models::Doubled(sphere, 1e-13, random)));
+  vtkPolyData* level = LastLevel(carver);
+  ASSERT_TRUE(level);
+  EXPECT_EQ(GetFieldText(level, "Strategy").find("TetGen -pcY, snapped"), 0u);
+  EXPECT_LT(GetFieldValue(level, "SnapDistance"), 1e-12 * carving::Diagonal(sphere.Points));
+  EXPECT_EQ(level->GetNumberOfPoints(), static_cast<vtkIdType>(sphere.Points.size()));
+  EXPECT_EQ(level->GetNumberOfCells(), static_cast<vtkIdType>(sphere.Triangles.size()));
+  carver->SetSnapTolerance(0.0);
+  carver->Update();
+  EXPECT_EQ(GetFieldText(LastLevel(carver), "Strategy"), "Delaunay, enclosing");
 }
 
 // If all attempts fail, a note describes each of them, including snapping.

@@ -46,12 +46,6 @@ TriangleMesh NeedsSplitting()
   return models::Soup(60, random);
 }
 
-/** TetGen fails on it even so: it takes many times its limit of time. */
-TriangleMesh NeedsEnclosing()
-{
-  std::mt19937_64 random(2);
-  return models::Soup(140, random);
-}
 constexpr double Patience = 0.5;
 
 /** Two surfaces so close that rounding crossings to doubles creates others, again and again. */
@@ -204,7 +198,7 @@ TEST(Strategies, DoNotDependOnTheNumberOfProcesses)
   std::mt19937_64 random(1);
   for (const TriangleMesh& mesh : { models::Sphere(2),
          models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 0.5, 0.2, 0.1 })),
-         models::CloseSpheres(), NeedsSplitting(), NeedsEnclosing() })
+         models::CloseSpheres(), NeedsSplitting(), NeedsSnapping(), models::Lattice(75) })
   {
     Job job = MakeJob(mesh, Conformity::Auto);
     Reply one = GetReply(job);
@@ -305,28 +299,38 @@ TEST(Strategies, SplitTrianglesIfNecessary)
   EXPECT_NEAR(split, given, 1e-9 * given);
 }
 
-// Auto does not resolve a mesh with more than two crossings per triangle; exact tries it.
+// Auto does not resolve a mesh with more than 5,000 crossings and two per triangle; exact tries it.
 TEST(Strategies, ForeseeThatTooManyCrossingsFail)
 {
-  std::mt19937_64 random(1);
-  const TriangleMesh soup = models::Soup(100, random);
-  ASSERT_GT(FindIntersections(soup.Points, soup.Triangles).size(), 2 * soup.Triangles.size());
+  const TriangleMesh lattice = models::Lattice(75);
+  ASSERT_GT(FindIntersections(lattice.Points, lattice.Triangles).size(), 5000u + 2u * 150u);
   const std::string words = "too many to be resolved";
-  const Reply any = GetReply(MakeJob(soup, Conformity::Auto));
+  const Reply any = GetReply(MakeJob(lattice, Conformity::Auto));
   EXPECT_NE(any.Attempts.find(words), std::string::npos) << any.Attempts;
   EXPECT_EQ(any.Strategy, "Delaunay, enclosing");
-  const HelperRun exact = RunHelper(MakeJob(soup, Conformity::Exact, Patience));
+  const HelperRun exact = RunHelper(MakeJob(lattice, Conformity::Exact, Patience));
   EXPECT_EQ(exact.Reply.Error.find(words), std::string::npos) << exact.Reply.Error;
 }
 
-// Where TetGen fails, the result is an error with EXACT and an enclosing tetrahedralization with
-// AUTO.
-TEST(Strategies, EndInEnclosingWhereTetGenFails)
+// Auto meets a small mesh of which most triangles cross each other several times.
+TEST(Strategies, MeetASmallMeshWithManyCrossings)
 {
-  const HelperRun exact = RunHelper(MakeJob(NeedsEnclosing(), Conformity::Exact, Patience));
+  const TriangleMesh lattice = models::Lattice(20);
+  ASSERT_EQ(FindIntersections(lattice.Points, lattice.Triangles).size(), 400u);
+  const Reply reply = GetReply(MakeJob(lattice, Conformity::Auto));
+  EXPECT_EQ(reply.Strategy.find("TetGen -pc"), 0u) << reply.Strategy;
+  EXPECT_EQ(reply.IntersectingPairs, 400);
+}
+
+// Where exact attempts fail, the result is an error with EXACT and an enclosing tetrahedralization
+// with AUTO.
+TEST(Strategies, EndInEnclosingWhereExactAttemptsFail)
+{
+  const HelperRun exact = RunHelper(MakeJob(NeedsSnapping(), Conformity::Exact));
   EXPECT_FALSE(exact.Succeeded());
-  EXPECT_NE(exact.Reply.Error.find("TetGen -pc"), std::string::npos) << exact.Reply.Error;
-  const Reply any = GetReply(MakeJob(NeedsEnclosing(), Conformity::Auto));
+  EXPECT_NE(exact.Reply.Error.find("still cross each other"), std::string::npos)
+    << exact.Reply.Error;
+  const Reply any = GetReply(MakeJob(NeedsSnapping(), Conformity::Auto));
   EXPECT_EQ(any.Strategy, "Delaunay, enclosing");
   EXPECT_NE(any.Attempts, "");
 }

@@ -90,6 +90,18 @@ inline Box BoxAround(std::initializer_list<Point> points)
   return BoxAround<std::initializer_list<Point>>(points);
 }
 
+/** The box of what two overlapping boxes have in common. */
+inline Box Intersection(const Box& a, const Box& b)
+{
+  Box common;
+  for (int k = 0; k < 3; ++k)
+  {
+    common.Lower[k] = std::max(a.Lower[k], b.Lower[k]);
+    common.Upper[k] = std::min(a.Upper[k], b.Upper[k]);
+  }
+  return common;
+}
+
 /** The length of the diagonal of the points' bounding box; 0 without points. */
 inline double Diagonal(const std::vector<Point>& points)
 {

@@ -188,10 +188,11 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
 }
 
 template <int D>
-double FaceDistance<D>::FindFarther(const FacetCorners<D>& face, double bound, int queries) const
+double FaceDistance<D>::FindFarther(
+  const FacetCorners<D>& face, double bound, int queries, const FacetCorners<D>& nearby) const
 {
   double lower = 0.0;
-  std::vector<Piece> open = { this->MakePiece(face, nullptr, bound, lower) };
+  std::vector<Piece> open = { this->MakePiece(face, &nearby, bound, lower) };
   for (int asked = 1; !open.empty() && lower <= bound && asked < queries;)
   {
     const Piece piece = open.back();

@@ -64,9 +64,10 @@ public:
 
   /**
    * The distance of a point of the face that is farther than a bound, or 0 if there is none. The
-   * bound itself if this many queries do not decide.
+   * bound itself if this many queries do not decide. The first search begins at the facet `nearby`.
    */
-  double FindFarther(const FacetCorners<D>& face, double bound, int queries) const;
+  double FindFarther(
+    const FacetCorners<D>& face, double bound, int queries, const FacetCorners<D>& nearby) const;
 
 private:
   struct Piece

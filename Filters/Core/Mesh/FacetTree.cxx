@@ -50,19 +50,19 @@ FacetTree<D>::FacetTree(const ResolvedInput<D>& mesh)
 }
 
 template <int D>
-typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p) const
+typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p, double enough, int nearby) const
 {
   Closest closest = { Box::Infinity, -1 };
-  this->ForEachNear(p, Box::Infinity,
-    [&](int facet)
+  const auto consider = [&](int facet)
+  {
+    const double distance = DistanceTo(this->GetItems().CornersOf(facet), p);
+    if (distance < closest.Distance)
     {
-      const double distance = DistanceTo(this->GetItems().CornersOf(facet), p);
-      if (distance < closest.Distance)
-      {
-        closest = { distance, facet };
-      }
-      return closest.Distance * closest.Distance;
-    });
+      closest = { distance, facet };
+    }
+    return closest.Distance <= enough ? 0.0 : closest.Distance * closest.Distance;
+  };
+  this->ForEachNear(p, nearby >= 0 ? consider(nearby) : Box::Infinity, consider);
   return closest;
 }
 

@@ -81,7 +81,8 @@ public:
     double Distance;
     int Item; ///< its index; -1 if the area of each facet is zero
   };
-  Closest Find(const Point& p) const;
+  /** Stops early at a facet whose distance is at most `enough`. Begins at `nearby`, if given. */
+  Closest Find(const Point& p, double enough = 0.0, int nearby = -1) const;
 };
 
 } // namespace carving

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/CollisionSearch.h"
 
 #include "Helper/Base/TriangleCrossing.h"
+#include "Helper/Decimation/FittedBounds.h"
 #include "Helper/Enclosing/Pierce.h"
 
 #include <algorithm>
@@ -15,12 +16,12 @@ namespace
 struct NewFace
 {
   Corners3 Corners;
-  Box Bounds;
+  FittedBounds<3> Bounds;
   Piercer Prepared;
 
   explicit NewFace(const std::array<Point, 3>& corners)
     : Corners(ToInexact(corners))
-    , Bounds(BoxAround(corners))
+    , Bounds(corners)
     , Prepared(this->Corners)
   {
   }
@@ -46,14 +47,19 @@ CollisionSearch::CollisionSearch(const SurfaceMesh& surface)
 
 bool CollisionSearch::IsFree(const Star& star, const Point& w) const
 {
-  return !this->Crosses(star, w) && !(this->CanSweepOver && this->SweepsOver(star, w));
+  // Most positions that are not free sweep over something, which takes less time to find.
+  return !(this->CanSweepOver && this->SweepsOver(star, w)) && !this->Crosses(star, w);
 }
 
-/** Whether `predicate` holds for the corners of any face that meets a box, but is not in a star. */
-template <class Predicate>
-bool CollisionSearch::AnyOutside(const Star& star, const Box& box, Predicate&& predicate) const
+/**
+ * Whether `predicate` holds for the corners of any face that is not in a star and whose box `meets`
+ * accepts.
+ */
+template <class BoxPredicate, class Predicate>
+bool CollisionSearch::AnyOutside(
+  const Star& star, BoxPredicate&& meets, Predicate&& predicate) const
 {
-  return this->Tree.AnyOverlap(box,
+  return this->Tree.Any(meets,
     [&](int index)
     {
       const Face face(index);
@@ -78,9 +84,15 @@ bool CollisionSearch::Crosses(const Star& star, const Point& w) const
       return true;
     }
     fan.push_back(face);
-    region.Add(face.Bounds);
+    region.Add(face.Bounds.GetBox());
   }
-  return this->AnyOutside(star, region,
+  const auto meetsFan = [&](const Box& box)
+  {
+    return region.Overlaps(box) &&
+      std::any_of(
+        fan.begin(), fan.end(), [&box](const NewFace& face) { return face.Bounds.Overlaps(box); });
+  };
+  return this->AnyOutside(star, meetsFan,
     [&fan](const std::array<Point, 3>& corners)
     {
       const Box bounds = BoxAround(corners);
@@ -97,13 +109,15 @@ bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
     {
       const auto [a, b, c] = ToInexact(corners);
       Corners4 swept = { a, b, c, ToInexact(w) };
+      const FittedBounds<4> bounds({ corners[0], corners[1], corners[2], w });
       const auto side = CGAL::orientation(swept[0], swept[1], swept[2], swept[3]);
       if (side == CGAL::NEGATIVE)
       {
         std::swap(swept[0], swept[1]);
       }
       return side != CGAL::COPLANAR &&
-        this->AnyOutside(star, BoxAround({ corners[0], corners[1], corners[2], w }),
+        this->AnyOutside(
+          star, [&bounds](const Box& box) { return bounds.Overlaps(box); },
           [&swept](const std::array<Point, 3>& face)
           { return Piercer(ToInexact(face)).FindContact(swept).Exists(); });
     });

@@ -30,8 +30,8 @@ public:
   void Update(const Star& star);
 
 private:
-  template <class Predicate>
-  bool AnyOutside(const Star& star, const Box& box, Predicate&& predicate) const;
+  template <class BoxPredicate, class Predicate>
+  bool AnyOutside(const Star& star, BoxPredicate&& meets, Predicate&& predicate) const;
   bool Crosses(const Star& star, const Point& w) const;
   bool SweepsOver(const Star& star, const Point& w) const;
 

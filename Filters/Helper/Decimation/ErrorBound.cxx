@@ -49,14 +49,16 @@ double ErrorBound::FindExcess(const Star& star, const Point& w) const
   {
     return 0.0;
   }
-  double excess = this->FromM.OfPoint(w);
-  if (excess > this->Bound)
+  const FacetTree<3>& tree = this->FromM.GetTree();
+  const auto [distance, nearby] = tree.Find(w, this->Bound);
+  if (distance > this->Bound)
   {
-    return excess;
+    return distance;
   }
   for (const auto& [a, b] : star.Link)
   {
-    excess = this->FromM.FindFarther({ a, b, w }, this->Bound, MostQueries);
+    const double excess = this->FromM.FindFarther(
+      { a, b, w }, this->Bound, MostQueries, tree.GetItems().CornersOf(nearby));
     if (excess > 0.0)
     {
       return excess;

@@ -39,25 +39,6 @@ SweptFace::SweptFace(
   this->Slabs = { makeSlab(from, to), makeSlab(to, from) };
 }
 
-bool SweptFace::Slab::Overlaps(const Box& box) const
-{
-  double lower = 0.0, upper = 0.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double x = this->Normal[k] * box.Lower[k], y = this->Normal[k] * box.Upper[k];
-    lower += std::min(x, y);
-    upper += std::max(x, y);
-  }
-  return lower <= this->Upper && this->Lower <= upper;
-}
-
-bool SweptFace::Slab::Overlaps(const std::array<Point, 3>& triangle) const
-{
-  const double a = Dot(this->Normal, triangle[0]), b = Dot(this->Normal, triangle[1]),
-               c = Dot(this->Normal, triangle[2]);
-  return std::min({ a, b, c }) <= this->Upper && this->Lower <= std::max({ a, b, c });
-}
-
 bool SweptFace::MayMeet(const std::array<Point, 3>& triangle) const
 {
   return this->Slabs[0].Overlaps(triangle) && this->Slabs[1].Overlaps(triangle);

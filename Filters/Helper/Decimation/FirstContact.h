@@ -6,8 +6,8 @@
 #ifndef carving_FirstContact_h
 #define carving_FirstContact_h
 
-#include "Core/Mesh/Box.h"
 #include "Helper/Decimation/HalfSpaces.h"
+#include "Helper/Decimation/Slab.h"
 
 #include <optional>
 #include <vector>
@@ -45,16 +45,6 @@ public:
   }
 
 private:
-  /** The space between two parallel planes. */
-  struct Slab
-  {
-    Point Normal;
-    double Lower, Upper;
-
-    bool Overlaps(const Box& box) const;
-    bool Overlaps(const std::array<Point, 3>& triangle) const;
-  };
-
   Box Bounds;
   std::array<Slab, 2> Slabs; ///< parallel to the face at the start and at the end
 };

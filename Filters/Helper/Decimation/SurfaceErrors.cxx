@@ -4,6 +4,7 @@
 #include "Core/Mesh/Box.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carving::helper
 {
@@ -65,13 +66,23 @@ LocalError SurfaceErrors::OfVertex(Vertex vertex) const
 
 double SurfaceErrors::CostOf(const Star& star, const LocalError& error, const Point& w) const
 {
-  double farthest = this->FromStart.OfPoint(w);
+  const double weight = AreasPerVertex * this->Area / this->Surface.number_of_vertices();
+  const double least = error.At(w);
+  // Distances that do not count need not be found; the factor makes up for roundings.
+  double farthest = 0.999 * std::sqrt(std::max(least, 0.0) / weight);
+  int nearby = -1;
+  const auto add = [&](const Point& p)
+  {
+    const auto closest = this->FromStart.GetTree().Find(p, farthest, nearby);
+    farthest = std::max(farthest, closest.Distance);
+    nearby = closest.Item;
+  };
+  add(w);
   for (const auto& [a, b] : star.Link)
   {
-    farthest = std::max(farthest, this->FromStart.OfPoint((a + b + w) / 3.0));
+    add((a + b + w) / 3.0);
   }
-  const double weight = AreasPerVertex * this->Area / this->Surface.number_of_vertices();
-  return std::max(error.At(w), weight * farthest * farthest);
+  return std::max(least, weight * farthest * farthest);
 }
 
 } // namespace carving::helper

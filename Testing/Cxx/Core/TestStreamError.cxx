@@ -178,28 +178,34 @@ TEST(FaceDistance, FindsWhatIsFartherThanABound)
   std::mt19937_64 random(8);
   const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
   const FaceDistance<3> distance(mesh);
+  std::uniform_int_distribution<int> anyFacet(0, static_cast<int>(mesh.Facets.size()) - 1);
   for (int i = 0; i < 200; ++i)
   {
     const FacetCorners<3> face = RandomFace(random);
+    const FacetCorners<3> nearby = distance.GetTree().GetItems().CornersOf(anyFacet(random));
     constexpr int manyQueries = 100000;
     const auto bound = distance.Compute(face, manyQueries);
     ASSERT_TRUE(bound.Final);
-    EXPECT_EQ(distance.FindFarther(face, 1.01 * bound.Upper, manyQueries), 0.0);
+    EXPECT_EQ(distance.FindFarther(face, 1.01 * bound.Upper, manyQueries, nearby), 0.0);
     const double below = 0.99 * bound.Lower;
-    const double farther = distance.FindFarther(face, below, manyQueries);
+    const double farther = distance.FindFarther(face, below, manyQueries, nearby);
     EXPECT_GT(farther, below);
     EXPECT_LE(farther, bound.Upper);
-    EXPECT_GE(distance.FindFarther(face, below, 1), below); // the bound if one query is too few
+    // The bound, if one query is too few.
+    EXPECT_GE(distance.FindFarther(face, below, 1, nearby), below);
   }
 }
 
-// The tree finds what looking at all facets finds, from near and far.
+// The tree finds what looking at all facets finds, from near and far, wherever it begins; or a facet
+// that is close enough.
 TEST(FacetTree, FindsTheClosest)
 {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> coordinate(-3.0, 3.0);
+  std::uniform_int_distribution<int> anyFacet(0, 399);
   const ResolvedMesh mesh = small::Resolved(models::Torus(1.0, 0.4, 20, 10));
   const FacetTree<3> tree(mesh);
+  ASSERT_EQ(mesh.Facets.size(), 400u);
   for (int i = 0; i < 1000; ++i)
   {
     const Point p = { coordinate(random), coordinate(random), coordinate(random) };
@@ -211,6 +217,10 @@ TEST(FacetTree, FindsTheClosest)
     const auto found = tree.Find(p);
     EXPECT_EQ(found.Distance, closest);
     EXPECT_EQ(DistanceTo(CornersOf<3>(mesh.Points, mesh.Facets[found.Item]), p), closest);
+    const int nearby = anyFacet(random);
+    EXPECT_EQ(tree.Find(p, 0.0, nearby).Distance, closest);
+    EXPECT_EQ(tree.Find(p, 0.999 * closest, nearby).Distance, closest);
+    EXPECT_LE(tree.Find(p, 1.1 * closest, nearby).Distance, 1.1 * closest);
   }
 }
 

@@ -20,7 +20,7 @@ Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t 
 /** For resolving a mesh of so many triangles and all attempts at it together. */
 Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
-/** For all attempts at the mesh with its points moved: those that succeed soon do. */
+/** For all attempts at the mesh with its points moved. Attempts that succeed do so soon. */
 Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets);
 
 /**

@@ -50,15 +50,15 @@ double ErrorBound::FindExcess(const Star& star, const Point& w) const
     return 0.0;
   }
   const FacetTree<3>& tree = this->FromM.GetTree();
-  const auto [distance, nearby] = tree.Find(w, this->Bound);
-  if (distance > this->Bound)
+  const auto closest = tree.Find(w, this->Bound);
+  if (closest.Distance > this->Bound)
   {
-    return distance;
+    return closest.Distance;
   }
+  const FacetCorners<3> nearby = tree.GetItems().CornersOf(closest.Item);
   for (const auto& [a, b] : star.Link)
   {
-    const double excess = this->FromM.FindFarther(
-      { a, b, w }, this->Bound, MostQueries, tree.GetItems().CornersOf(nearby));
+    const double excess = this->FromM.FindFarther({ a, b, w }, this->Bound, MostQueries, nearby);
     if (excess > 0.0)
     {
       return excess;

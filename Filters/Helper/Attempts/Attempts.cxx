@@ -39,6 +39,7 @@ bool Attempts::TryInChild(const std::string& attempt, const std::string& subject
     return false;
   }
   this->HasFinished = ending.Mistake.empty() || ending.Mistake == "failed";
+  this->ProcessorSeconds = ending.ProcessorSeconds;
   if (!ending.Mistake.empty())
   {
     this->TheReply.StageSeconds[static_cast<int>(Stage::Attempts)] += SecondsSince(start);

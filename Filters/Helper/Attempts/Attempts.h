@@ -62,7 +62,8 @@ protected:
   bool IsCustom;   ///< C0 is given
   bool IsRecovery; ///< TetGen is not tried
   Log Failures;
-  bool HasFinished = false; ///< the last attempt: neither a crash nor a limit ended it
+  bool HasFinished = false;      ///< the last attempt: neither a crash nor a limit ended it
+  double ProcessorSeconds = 0.0; ///< that the last attempt took
 
 private:
   bool WriteExact(const Ending& ending);

@@ -139,10 +139,9 @@ void RestoreSignals()
  * Subtracts the processor time of a child from the limit of this process, and ends this process if
  * none remains.
  */
-void ChargeProcessorTime(const rusage& used, bool usedUp)
+void ChargeProcessorTime(double seconds, bool usedUp)
 {
-  const double rest =
-    RemainingProcessorSeconds() - ToSeconds(used.ru_utime) - ToSeconds(used.ru_stime);
+  const double rest = RemainingProcessorSeconds() - seconds;
   if (usedUp || rest <= 0.0)
   {
     std::raise(SIGPROF); // as this process's own timer would
@@ -205,11 +204,14 @@ Ending RunInChildProcess(
   {
     return { NotWanted };
   }
+  const double seconds = ToSeconds(used.ru_utime) + ToSeconds(used.ru_stime);
   if (remaining < HUGE_VAL)
   {
-    ChargeProcessorTime(used, remaining <= own && IsEndedBy(SIGPROF, status));
+    ChargeProcessorTime(seconds, remaining <= own && IsEndedBy(SIGPROF, status));
   }
-  return Describe(status, limits);
+  Ending ending = Describe(status, limits);
+  ending.ProcessorSeconds = seconds;
+  return ending;
 }
 
 } // namespace carving::helper

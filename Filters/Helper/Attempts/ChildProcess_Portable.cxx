@@ -188,18 +188,20 @@ bool HandOver(const Work& work, const std::string& fileName)
 
 /**
  * Takes the processor time of a child process, which ended after so many seconds, for used, and ends
- * this process if none remains.
+ * this process if none remains. Returns the child's time.
  */
-void ChargeProcessorTime(const std::string& fileName, double elapsed, bool usedUp)
+double ChargeProcessorTime(const std::string& fileName, double elapsed, bool usedUp)
 {
   double used = 0.0;
   const bool known = !!(std::ifstream(fileName) >> used);
   std::remove(fileName.c_str());
-  ThisRun.UsedByChildren = ThisRun.UsedByChildren + (known ? used : elapsed);
+  const double seconds = known ? used : elapsed;
+  ThisRun.UsedByChildren = ThisRun.UsedByChildren + seconds;
   if (usedUp || UsedProcessorSeconds() >= ThisRun.ProcessorSeconds)
   {
     EndChild(TimeIsUp); // as this process's own thread would
   }
+  return seconds;
 }
 
 bool HasUsedUpItsTime(vtksysProcess* process)
@@ -242,9 +244,11 @@ Ending RunInChildProcess(
     beside.ThrowFailure();
     return { NotWanted };
   }
-  ChargeProcessorTime(
+  const double seconds = ChargeProcessorTime(
     used, SecondsSince(start), remaining <= own && HasUsedUpItsTime(process.get()));
-  return Describe(process.get(), limits);
+  Ending ending = Describe(process.get(), limits);
+  ending.ProcessorSeconds = seconds;
+  return ending;
 }
 
 void BeginProgram(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/Patience.h"
 
+#include <algorithm>
+
 namespace carving::helper
 {
 namespace
@@ -42,10 +44,11 @@ Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
   return limits;
 }
 
-Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets)
+Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets, double used)
 {
   Limits limits = LimitsOfExact(job, numberOfFacets);
-  limits.ProcessorSeconds *= 0.25;
+  const double exact = limits.ProcessorSeconds;
+  limits.ProcessorSeconds = 0.25 * exact + std::max(0.0, exact - used);
   return limits;
 }
 

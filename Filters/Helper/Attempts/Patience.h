@@ -20,8 +20,12 @@ Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t 
 /** For resolving a mesh of so many triangles and all attempts at it together. */
 Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
-/** For all attempts at the mesh with its points moved. Attempts that succeed do so soon. */
-Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets);
+/**
+ * For all attempts at the mesh with its points moved, after exact attempts that took `used` seconds:
+ * the rest of their time, and a quarter more. Where TetGen hung on the mesh, it mostly hangs again;
+ * where TetGen soon crashed, most attempts succeed if they have the time.
+ */
+Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets, double used);
 
 /**
  * The seconds by the clock that exact attempts at a mesh of so many triangles may take before it is

@@ -84,8 +84,8 @@ bool StrategyRun::TryAllExact()
   if (this->TryInChild("", "Resolving and tetrahedralizing ", LimitsOfExact(this->TheJob, facets),
         { Task::Goal::Exact }) ||
     (this->TheJob.SnapTolerance > 0.0 && !this->IsCustom &&
-      this->TryInChild(
-        "", "Snapping ", LimitsOfSnapped(this->TheJob, facets), { Task::Goal::Snapped })))
+      this->TryInChild("", "Snapping ",
+        LimitsOfSnapped(this->TheJob, facets, this->ProcessorSeconds), { Task::Goal::Snapped })))
   {
     return true;
   }

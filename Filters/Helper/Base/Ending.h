@@ -12,6 +12,7 @@ struct Ending
 {
   std::string Mistake;  ///< why the attempt failed; empty if it succeeded
   bool ByLimit = false; ///< a limit on time, memory or points ended it; a higher one might help
+  double ProcessorSeconds = 0.0; ///< that the attempt took, if it was made in a child process
 };
 
 } // namespace carving::helper

@@ -190,6 +190,13 @@ TEST_F(ChildProcess, ChargesNestedChildren)
     EndOf(ByProcessor(0.5), ComputeShortlyInChildren), "took longer than 0.5 s of processor time");
 }
 
+// The processor time of a child and of its own children is reported. Sleep does not count.
+TEST_F(ChildProcess, ReportsProcessorTime)
+{
+  EXPECT_GE(RunInChildProcess({}, ComputeShortlyInChildren.Get()).ProcessorSeconds, 0.8);
+  EXPECT_LT(RunInChildProcess({}, Sleep.Get()).ProcessorSeconds, 0.4);
+}
+
 // A nested child gets no more than the rest of its parent's processor time, whatever its own limit.
 TEST_F(ChildProcess, LimitsNestedChildrenToTheRest)
 {

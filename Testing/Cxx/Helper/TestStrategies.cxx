@@ -4,6 +4,7 @@
 #include "Core/Mesh/Adjacency.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Attempts/Messages.h"
+#include "Helper/Attempts/Patience.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
@@ -422,6 +423,24 @@ TEST(Strategies, ContinueWhereSnappingFails)
   EXPECT_EQ(reply.Strategy, "Delaunay, enclosing");
   EXPECT_EQ(reply.SnapDistance, 0.0);
   EXPECT_NE(reply.Attempts.find("Snapping: on a grid of"), std::string::npos) << reply.Attempts;
+}
+
+// Snapping may take the time that the exact attempts have left, and a quarter of their limit even if
+// they have left none. EXACT has no limits.
+TEST(Strategies, GiveSnappingTheTimeLeft)
+{
+  constexpr std::size_t facets = 50000;
+  Job job;
+  job.Conformity = Conformity::Auto;
+  const double limit = LimitsOfExact(job, facets).ProcessorSeconds;
+  for (const double used : { 0.0, 0.5, 1.0 })
+  {
+    EXPECT_DOUBLE_EQ(
+      LimitsOfSnapped(job, facets, used * limit).ProcessorSeconds, (1.25 - used) * limit);
+  }
+  EXPECT_DOUBLE_EQ(LimitsOfSnapped(job, facets, 1.1 * limit).ProcessorSeconds, 0.25 * limit);
+  job.Conformity = Conformity::Exact;
+  EXPECT_EQ(LimitsOfSnapped(job, facets, 100.0).ProcessorSeconds, 0.0);
 }
 
 // Overlapping tetrahedra are rejected, and the next order is tried. (TetGen produces them for these

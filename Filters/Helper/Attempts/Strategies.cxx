@@ -179,8 +179,10 @@ bool StrategyRun::TryEnclosing()
   this->TheReply.KeptDistance99 = enclosure.Distances.Percentile99;
   this->TheReply.KeptDistanceMean = enclosure.Distances.Mean;
   this->TheReply.MetShare = enclosure.MetShare;
+  this->TheReply.IntersectingPairs = enclosure.ResolvedPairs;
+  const Tetrahedralization& result = this->TheReply.Result;
   this->TheReply.PointsAdded = static_cast<int>(
-    this->TheReply.Result.Surface.Points.size() - input.Points.size() - further.size());
+    result.Surface.Points.size() - result.Unresolved.Points.size() - further.size());
   return this->WriteResult();
 }
 

@@ -12,12 +12,15 @@
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
 #include "Helper/Resolve/Intersections.h"
+#include "Helper/Resolve/Resolve.h"
 
 #include <algorithm>
 #include <cfloat>
 #include <future>
 #include <iterator>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 namespace carving::helper
 {
@@ -57,14 +60,6 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
       }
     }
   }
-}
-
-/** Whether more than one pair of triangles in a hundred triangles crosses. */
-bool CrossesItselfOften(const ResolvedMesh& input)
-{
-  constexpr double often = 0.01; // per triangle
-  const std::size_t crossings = FindIntersections(input.Points, input.Facets).size();
-  return static_cast<double>(crossings) > often * static_cast<double>(input.Facets.size());
 }
 
 /**
@@ -140,61 +135,145 @@ void KeepBareVertices(PiercedMesh& mesh, const ResolvedMesh& input)
   }
 }
 
+using Pairs = std::vector<std::pair<int, int>>;
+
+/** Tetrahedra whose faces are as much of M as recovery and cutting reach. */
+struct CutTetrahedra
+{
+  CutTetrahedra(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
+    const Progress& progress)
+    : Input(input)
+    , Mesh(Input, further, threads, progress)
+  {
+  }
+
+  ResolvedMesh Input;
+  PiercedMesh Mesh;
+  std::vector<Subdivision::Part> Needles; ///< that the mesh lacks
+  bool Crosses = false;                   ///< the input crosses itself often
+  int ResolvedPairs = 0;                  ///< the pairs that crossed before the input was resolved
+};
+
+/** Recovers and cuts; with `tolerance` 0, only recovers. */
+void MeetParts(
+  const Pairs& pairs, double tolerance, int threads, const Progress& progress, CutTetrahedra& cells)
+{
+  constexpr double often = 0.01; // per triangle
+  const auto facets = static_cast<std::ptrdiff_t>(cells.Input.Facets.size());
+  cells.Crosses = static_cast<double>(pairs.size()) > often * static_cast<double>(facets);
+  // Cutting takes less time than more steps would, but not where many triangles cross each other.
+  const std::ptrdiff_t stepsPerFacet = cells.Crosses ? 100 : 30;
+  Recover(cells.Mesh, 100000 + stepsPerFacet * facets, PartOf(progress, 0.0, 0.2));
+  if (tolerance > 0.0)
+  {
+    cells.Needles = Cut(cells.Mesh, tolerance,
+      { MaximumCuts, MaximumPointsAdded(cells.Input.Points.size()), LeastYield }, threads,
+      PartOf(progress, 0.2, 1.0));
+  }
+}
+
+std::size_t CountKept(const PiercedMesh& mesh)
+{
+  const auto cells = mesh.GetDelaunay().finite_cell_handles();
+  return std::count_if(
+    cells.begin(), cells.end(), [](const Cell cell) { return cell->info().IsPierced(); });
+}
+
+/** The share of M's area that is faces. */
+double MetShareOf(const CutTetrahedra& cells)
+{
+  std::vector<double> shares(cells.Input.Facets.size());
+  return MeasureMetShares(cells.Mesh, shares);
+}
+
+/**
+ * Whether more of M is likely to be met if it is resolved first. Where cutting leaves many
+ * tetrahedra pierced, more time would be lost than area gained.
+ */
+bool MayMeetMoreResolved(const CutTetrahedra& cells, std::size_t pairs)
+{
+  constexpr std::size_t mostPairs = 20000; // they are resolved in about two seconds
+  constexpr double mostKept = 0.1;         // per triangle
+  const std::size_t facets = cells.Input.Facets.size();
+  return pairs > 0 && pairs <= std::min(facets, mostPairs) &&
+    static_cast<double>(CountKept(cells.Mesh)) <= mostKept * static_cast<double>(facets);
+}
+
+/** Cuts M or, if more of it is met then, the resolved M. With `tolerance` 0, only recovers. */
+std::unique_ptr<CutTetrahedra> CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
+  double tolerance, int threads, const Progress& progress)
+{
+  const auto policy =
+    threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  std::future<Pairs> search = std::async(policy,
+    [&] { return tolerance > 0.0 ? FindIntersections(input.Points, input.Facets) : Pairs(); });
+  auto cells = std::make_unique<CutTetrahedra>(input, further, threads, PartOf(progress, 0.0, 0.1));
+  Pairs pairs = search.get();
+  MeetParts(pairs, tolerance, threads, PartOf(progress, 0.1, 0.7), *cells);
+  if (!MayMeetMoreResolved(*cells, pairs.size()))
+  {
+    return cells;
+  }
+  const int count = static_cast<int>(pairs.size());
+  ResolvedMesh resolved = input;
+  if (!ResolvePairs(resolved, std::move(pairs), {}).empty())
+  {
+    return cells;
+  }
+  auto others =
+    std::make_unique<CutTetrahedra>(resolved, further, threads, PartOf(progress, 0.7, 0.8));
+  MeetParts({}, tolerance, threads, PartOf(progress, 0.8, 1.0), *others);
+  others->ResolvedPairs = count;
+  return MetShareOf(*others) > MetShareOf(*cells) ? std::move(others) : std::move(cells);
+}
+
 } // namespace
 
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
   int threads, const std::function<bool(double)>& progress, Tetrahedralization& result)
 {
   const double length = Diagonal(input.Points);
-  const SurfaceDistance distance(input);
+  const bool mayAddPoints = tolerance > 0.0;
+  const std::unique_ptr<CutTetrahedra> cells = CutBest(input, further,
+    mayAddPoints ? CutTolerance * length : 0.0, threads, PartOf(progress, 0.0, 0.7));
+  PiercedMesh& mesh = cells->Mesh;
+  ResolvedMesh& met = cells->Input;
   constexpr double negligible = 1e-4;
   constexpr double accuracy = 1.05; // distances are exact to within this factor
   const double bound = tolerance * length / accuracy;
-  const bool mayAddPoints = tolerance > 0.0;
-  // Where triangles cross each other, recovery meets few of them.
-  const auto policy =
-    threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
-  std::future<bool> crossing =
-    std::async(policy, [&] { return mayAddPoints && CrossesItselfOften(input); });
-  PiercedMesh mesh(input, further, threads, PartOf(progress, 0.0, 0.1));
-  const bool crosses = crossing.get();
-  // Cutting takes less time than more steps would, but not where many triangles cross each other.
-  const std::ptrdiff_t stepsPerFacet = crosses ? 100 : 30;
-  const auto facets = static_cast<std::ptrdiff_t>(input.Facets.size());
-  Recover(mesh, 100000 + stepsPerFacet * facets, PartOf(progress, 0.1, 0.2));
+  const SurfaceDistance distance(met);
   if (mayAddPoints)
   {
-    const std::size_t most = MaximumPointsAdded(input.Points.size());
-    const std::vector<Subdivision::Part> needles = Cut(mesh, CutTolerance * length,
-      { MaximumCuts, most, LeastYield }, threads, PartOf(progress, 0.2, 0.7));
-    if (!crosses)
+    const std::size_t count = met.Points.size(), most = MaximumPointsAdded(count);
+    // Detaching vertices at crossings would take most of the time.
+    if (!cells->Crosses && cells->ResolvedPairs == 0)
     {
-      DetachAll(mesh, static_cast<int>(input.Points.size() + further.size()), 0);
+      DetachAll(mesh, static_cast<int>(count + further.size()), 0);
     }
-    mesh.GiveParts(needles, threads, PartOf(progress, 0.7, 0.7));
+    mesh.GiveParts(cells->Needles, threads, PartOf(progress, 0.7, 0.7));
     HalveKept(mesh, distance, bound, most, threads, PartOf(progress, 0.7, 0.8));
     // Further points take the surface much closer than it has to be: to a quarter, and then to a
     // tenth. Their number is bounded by the size of the mesh.
-    const std::size_t count = input.Points.size();
     std::size_t left =
       std::min(count / 10 + 10000 + std::min<std::size_t>(90000, 40 * count), most);
     left -= HalveKept(mesh, distance, 0.25 * bound, left, threads, PartOf(progress, 0.8, 0.85));
     HalveKept(mesh, distance, 0.1 * bound, left, threads, PartOf(progress, 0.85, 0.9));
   }
-  KeepBareVertices(mesh, input);
+  KeepBareVertices(mesh, met);
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length, threads);
   result = {};
-  result.Surface.PointSources = input.PointSources;
+  result.Surface.PointSources = met.PointSources;
   WriteCells(mesh, result);
   result.Kept.resize(result.Cells.size());
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     result.Kept[cell->info().Index] = cell->info().IsPierced();
   }
-  WriteFaces(mesh, input, result);
-  result.Unresolved = input;
-  result.MetShares.resize(input.Facets.size());
-  return { kept, MeasureMetShares(mesh, result.MetShares) };
+  WriteFaces(mesh, met, result);
+  result.MetShares.resize(met.Facets.size());
+  const double share = MeasureMetShares(mesh, result.MetShares);
+  result.Unresolved = std::move(met);
+  return { kept, share, cells->ResolvedPairs };
 }
 
 } // namespace carving::helper

@@ -7,6 +7,7 @@
 #include "Core/Measure/LevelSelection.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Surface/LevelParts.h"
+#include "Helper/Resolve/Intersections.h"
 #include "HelperRun.h"
 #include "ManifoldCheck.h"
 #include "PropertyChecks.h"
@@ -306,6 +307,21 @@ TEST(Enclose, MeetsACleanMesh)
   EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
 }
 
+// A mesh with a few crossings is met as a whole, too: in place of the mesh itself, the mesh that has
+// been resolved is enclosed.
+TEST(Enclose, MeetsAMeshWithFewCrossings)
+{
+  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
+    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.02);
+  const ResolvedMesh& input = reply.Result.GetInput();
+  EXPECT_GT(reply.IntersectingPairs, 0);
+  EXPECT_TRUE(helper::FindIntersections(input.Points, input.Facets).empty());
+  EXPECT_GT(input.Facets.size(), mesh.Triangles.size());
+  EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
+  EXPECT_EQ(reply.MetShare, 1.0);
+}
+
 // The kept distances are those of dense samples on the kept surface, of which parts of the mesh are
 // left out.
 TEST(Enclose, MeasuresTheKeptDistances)
@@ -385,8 +401,8 @@ TEST(Enclose, KnowsWhichShareIsMet)
 // All faces of a level that lie on M are triangles of M or parts of these.
 TEST(Enclose, ExtractsThePartsOfALevel)
 {
-  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
-    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  std::mt19937_64 random(3);
+  const TriangleMesh mesh = models::Soup(60, random); // with so many crossings, it is not resolved
   const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.02);
   const Carved carved = CarveResult(reply.Result);
   using Corners = std::multiset<Point>;

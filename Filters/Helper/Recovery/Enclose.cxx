@@ -187,15 +187,16 @@ double MetShareOf(const CutTetrahedra& cells)
 }
 
 /**
- * Whether more of M is likely to be met if it is resolved first. Where cutting leaves many
- * tetrahedra pierced, more time would be lost than area gained.
+ * Whether more of M is likely to be met if it is resolved first. With few crossings, little would be
+ * gained. Where cutting leaves many tetrahedra pierced, more time would be lost than area gained.
  */
 bool MayMeetMoreResolved(const CutTetrahedra& cells, std::size_t pairs)
 {
-  constexpr std::size_t mostPairs = 20000; // they are resolved in about two seconds
-  constexpr double mostKept = 0.1;         // per triangle
+  constexpr std::size_t mostPairs = 20000;   // they are resolved in about two seconds
+  constexpr std::size_t mostFacets = 400000; // two tetrahedralizations need memory
+  constexpr double mostKept = 0.1;           // per triangle
   const std::size_t facets = cells.Input.Facets.size();
-  return pairs > 0 && pairs <= std::min(facets, mostPairs) &&
+  return cells.Crosses && pairs <= std::min(facets, mostPairs) && facets <= mostFacets &&
     static_cast<double>(CountKept(cells.Mesh)) <= mostKept * static_cast<double>(facets);
 }
 

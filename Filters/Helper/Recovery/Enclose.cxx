@@ -151,7 +151,7 @@ struct CutTetrahedra
   PiercedMesh Mesh;
   std::vector<Subdivision::Part> Needles; ///< that the mesh lacks
   bool Crosses = false;                   ///< the input crosses itself often
-  int ResolvedPairs = 0;                  ///< the pairs that crossed before the input was resolved
+  int ResolvedPairs = 0;                  ///< see Enclosure
 };
 
 /** Recovers and cuts; with `tolerance` 0, only recovers. */

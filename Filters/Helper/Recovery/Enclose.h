@@ -20,9 +20,8 @@ namespace carving::helper
 struct Enclosure
 {
   KeptDistances Distances;
-  double MetShare; ///< the share of M's area that is faces
-  /** Pairs of triangles that cross each other, and that have been resolved; otherwise 0. */
-  int ResolvedPairs;
+  double MetShare;   ///< the share of M's area that is faces
+  int ResolvedPairs; ///< the pairs of triangles that crossed before the input was resolved, or 0
 };
 
 /**
@@ -32,8 +31,9 @@ struct Enclosure
  * box: points are added until no kept tetrahedron reaches farther from M, or until there are too
  * many points. With 0, none are added on M.
  *
- * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has the faces that overlap a triangle
- * of M in an area, as parts of M, `Unresolved` is the input or, if more of that is met, the resolved input, and `MetShares` is there.
+ * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has
+ * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input or, if
+ * more of that is met, the resolved input, and `MetShares` is there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
   int threads, const std::function<bool(double)>& progress, Tetrahedralization& result);

@@ -220,6 +220,32 @@ TEST(Enclose, EnclosesRandomMeshes)
   }
 }
 
+// Levels enclose tori that cross each other, whether M itself or the resolved M has been met more.
+TEST(Enclose, EnclosesCrossingTori)
+{
+  std::mt19937_64 random(24);
+  std::uniform_real_distribution<double> shift(0.2, 1.0);
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_MESHES", 10);
+  int resolved = 0;
+  for (int i = 0; i < count && !testing::Test::HasFailure(); ++i)
+  {
+    SCOPED_TRACE("tori " + std::to_string(i));
+    const auto torus = [&]
+    {
+      const int n = 6 + static_cast<int>(random() % 10), m = 4 + static_cast<int>(random() % 6);
+      const Point translation = { shift(random), shift(random), shift(random) };
+      return models::Moved(models::Rotated(models::Torus(1.0, 0.4, n, m), random), translation);
+    };
+    const TriangleMesh first = torus(), mesh = models::Joined(first, torus());
+    const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.05);
+    resolved += reply.IntersectingPairs > 0;
+    const auto rule = static_cast<SolidRule>(random() % 3);
+    ExpectEnclosingLevels(mesh, CarveResult(reply.Result, {}, rule));
+  }
+  EXPECT_GT(resolved, 0);
+  EXPECT_LT(resolved, count);
+}
+
 // A cube is met exactly although Delaunay faces use other diagonals of its sides: nothing is kept,
 // and everything between two cubes is carved.
 TEST(Enclose, TakesOtherDiagonalsForTheSameSide)

@@ -270,7 +270,8 @@ public:
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
    *   are never carved: levels enclose M and do not cross themselves. Triangles are recovered as
    *   faces as far as possible. Along the others, the tetrahedra are cut, with vertices on the
-   *   triangles. What is left is approximated by the last level (see EnclosingTolerance).
+   *   triangles. What is left is approximated by the last level (see EnclosingTolerance). If M
+   *   crosses itself, the resolved M may take its place, where more of that is met.
    * - AUTO (default): EXACT, and ENCLOSING if that fails or takes too long, or if M crosses itself
    *   in so many places that resolving would multiply its size.
    *

@@ -110,7 +110,7 @@ struct Decomposition
   // overlap a triangle of M in an area.
   std::vector<char>
     Kept; ///< per cell: M pierces the cell, which is never carved; empty in exact mode
-  ResolvedInput<D> Unresolved; ///< M itself, or resolved if more is met then; empty in exact mode
+  ResolvedInput<D> Unresolved; ///< M, resolved if more of it is met then; empty in exact mode
   /** Per facet of `Unresolved`: the share of its area that pierces no cell; empty in exact mode. */
   std::vector<double> MetShares;
 

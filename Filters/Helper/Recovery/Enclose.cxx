@@ -179,7 +179,7 @@ std::size_t CountKept(const PiercedMesh& mesh)
     cells.begin(), cells.end(), [](const Cell cell) { return cell->info().IsPierced(); });
 }
 
-/** The share of M's area that is faces. */
+/** The share of M's area that is faces. Needles, which have hardly any area, do not count. */
 double MetShareOf(const CutTetrahedra& cells)
 {
   std::vector<double> shares(cells.Input.Facets.size());

@@ -333,9 +333,9 @@ TEST(Enclose, MeetsACleanMesh)
   EXPECT_EQ(std::count(reply.Result.Kept.begin(), reply.Result.Kept.end(), 1), 0);
 }
 
-// A mesh with a few crossings is met as a whole, too: in place of the mesh itself, the mesh that has
-// been resolved is enclosed.
-TEST(Enclose, MeetsAMeshWithFewCrossings)
+// Two tori that cross each other are met as a whole, too: the resolved mesh is enclosed in place of
+// the mesh itself.
+TEST(Enclose, MeetsCrossingTori)
 {
   const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
     models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));

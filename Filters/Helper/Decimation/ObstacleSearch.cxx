@@ -8,8 +8,8 @@ namespace carving::helper
 namespace
 {
 
-/** Of more triangles, the tree passes over most, but a pass over copies does not. */
-constexpr std::size_t MostCopies = 256;
+/** Of more triangles, a search passes over most, but a copy of all takes longer than that. */
+constexpr std::size_t MostCopies = 4096;
 
 } // namespace
 
@@ -20,12 +20,18 @@ void ObstacleSearch::MoveTo(const Box& region)
     return;
   }
   this->Copies.clear();
+  this->Groups.clear();
   this->Region = region;
   this->HasCopies = !this->Tree.AnyOverlap(region,
     [this](int t)
     {
       const auto corners = this->Tree.GetItems().CornersOf(t);
+      if (this->Copies.size() % GroupSize == 0)
+      {
+        this->Groups.emplace_back();
+      }
       this->Copies.push_back({ BoxAround(corners), corners, t });
+      this->Groups.back().Add(this->Copies.back().Bounds);
       return this->Copies.size() > MostCopies;
     });
 }

@@ -45,9 +45,7 @@ public:
   bool Any(BoxPredicate&& meets, Predicate&& predicate) const
   {
     return this->HasCopies
-      ? std::any_of(this->Copies.begin(), this->Copies.end(),
-          [&](const Copy& copy)
-          { return meets(copy.Bounds) && predicate(copy.Bounds, copy.Corners); })
+      ? this->AnyCopy(meets, [&](const Copy& copy) { return predicate(copy.Bounds, copy.Corners); })
       : this->Tree.Any(meets,
           [&](int t)
           {
@@ -63,28 +61,26 @@ public:
   template <class Predicate, class Visitor>
   void ForEachSwept(const SweptFace& face, Predicate&& counts, Visitor&& visit) const
   {
+    const auto visitIfMet = [&](int t, const std::array<Point, 3>& corners)
+    {
+      if (counts(t) && face.MayMeet(corners))
+      {
+        visit(t, corners);
+      }
+    };
     if (!this->HasCopies)
     {
       this->Tree.ForEachFromTop(
         face.GetStartNormal(), [&face](const Box& box) { return face.MayMeet(box); },
-        [&](int t)
-        {
-          const auto corners = this->Tree.GetItems().CornersOf(t);
-          if (counts(t) && face.MayMeet(corners))
-          {
-            visit(t, corners);
-          }
-        });
+        [&](int t) { visitIfMet(t, this->Tree.GetItems().CornersOf(t)); });
       return;
     }
-    for (const Copy& copy : this->Copies)
-    {
-      if (counts(copy.Index) && face.GetBounds().Overlaps(copy.Bounds) &&
-        face.MayMeet(copy.Corners))
+    this->AnyCopy([&face](const Box& box) { return face.GetBounds().Overlaps(box); },
+      [&](const Copy& copy)
       {
-        visit(copy.Index, copy.Corners);
-      }
-    }
+        visitIfMet(copy.Index, copy.Corners);
+        return false; // all of them
+      });
   }
 
 private:
@@ -95,10 +91,35 @@ private:
     int Index;
   };
 
+  /** As Any, of copies. Passes over the groups whose boxes `meets` does not accept. */
+  template <class BoxPredicate, class Predicate>
+  bool AnyCopy(BoxPredicate&& meets, Predicate&& predicate) const
+  {
+    for (std::size_t group = 0; group < this->Groups.size(); ++group)
+    {
+      if (meets(this->Groups[group]))
+      {
+        const std::size_t end = std::min((group + 1) * GroupSize, this->Copies.size());
+        for (std::size_t i = group * GroupSize; i < end; ++i)
+        {
+          const Copy& copy = this->Copies[i];
+          if (meets(copy.Bounds) && predicate(copy))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  static constexpr std::size_t GroupSize = 8;
+
   const FacetTree<3>& Tree;
   Box Region;
-  bool HasCopies = false; ///< of all triangles in the region; not if there are many
-  std::vector<Copy> Copies;
+  bool HasCopies = false;   ///< of all triangles in the region; not if there are many
+  std::vector<Copy> Copies; ///< neighbors of each other mostly are in one group
+  std::vector<Box> Groups;  ///< the boxes around GroupSize copies each
 };
 
 } // namespace carving::helper

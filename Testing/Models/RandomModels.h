@@ -15,8 +15,11 @@ namespace models
 
 using carving::TriangleMesh;
 
-/** The number of random cases: few by default, more through a variable of the environment. */
-int NumberOfCases(const char* variable, int otherwise);
+/**
+ * The number of random cases: a slice by default, more through a variable of the environment. Under
+ * a sanitizer, where tests take ten times as long, the slice is a quarter.
+ */
+int NumberOfCases(const char* variable, int slice);
 
 /** `n` triangles with random corners in a cube; most of them cross others. */
 TriangleMesh Soup(int n, std::mt19937_64& random);

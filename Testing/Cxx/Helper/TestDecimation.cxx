@@ -18,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 using namespace carving;
@@ -26,13 +25,6 @@ using helper::DecimateEnclosing;
 
 namespace
 {
-
-/** The number of random surfaces: a slice by default, more through the environment. */
-int NumberOfRandomSurfaces()
-{
-  const char* number = std::getenv("TOPOLOGYCARVING_RANDOM_DECIMATIONS");
-  return number ? std::atoi(number) : 40;
-}
 
 /** A decimated surface on its own. */
 struct Result
@@ -255,7 +247,8 @@ TEST(Decimation, IsTighterWithoutNesting)
 // enclose the level, all others the mesh that has been carved.
 TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 {
-  for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_DECIMATIONS", 40);
+  for (int i = 0; i < count; ++i)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);
@@ -267,7 +260,8 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 // The same for flat sheets, whose corners move in the sheets' planes.
 TEST(Decimation, EnclosesLevelsOfFlatSheets)
 {
-  for (int i = 0; i < NumberOfRandomSurfaces(); ++i)
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_DECIMATIONS", 40);
+  for (int i = 0; i < count; ++i)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);

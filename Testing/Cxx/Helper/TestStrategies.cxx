@@ -214,7 +214,8 @@ TEST(Strategies, DoNotDependOnTheNumberOfProcesses)
 TEST(Strategies, EncloseAlikeWithAnyNumberOfThreads)
 {
   std::mt19937_64 random(2);
-  for (int i = 0; i < 3; ++i)
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_SOUPS", 3);
+  for (int i = 0; i < count; ++i)
   {
     Job job = MakeJob(models::Soup(100, random), Conformity::Enclosing);
     job.EnclosingTolerance = 0.02;

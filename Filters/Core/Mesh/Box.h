@@ -102,6 +102,28 @@ inline Box Intersection(const Box& a, const Box& b)
   return common;
 }
 
+/** The least scalar product of a vector with a point of a box. */
+inline double LeastProduct(const Point& along, const Box& box)
+{
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += std::min(along[k] * box.Lower[k], along[k] * box.Upper[k]);
+  }
+  return sum;
+}
+
+/** The greatest scalar product of a vector with a point of a box. */
+inline double GreatestProduct(const Point& along, const Box& box)
+{
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    sum += std::max(along[k] * box.Lower[k], along[k] * box.Upper[k]);
+  }
+  return sum;
+}
+
 /** The length of the diagonal of the points' bounding box; 0 without points. */
 inline double Diagonal(const std::vector<Point>& points)
 {

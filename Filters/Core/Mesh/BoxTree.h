@@ -117,17 +117,9 @@ public:
   template <class Predicate, class Visitor>
   void ForEachFromTop(const Point& up, Predicate&& meets, Visitor&& visit) const
   {
-    const auto top = [&up](const Box& box)
-    {
-      double sum = 0.0;
-      for (int k = 0; k < 3; ++k)
-      {
-        sum += up[k] * (up[k] > 0.0 ? box.Upper[k] : box.Lower[k]);
-      }
-      return sum;
-    };
     this->Walk(
-      meets, [&top](const Box& a, const Box& b) { return top(a) < top(b); },
+      meets,
+      [&up](const Box& a, const Box& b) { return GreatestProduct(up, a) < GreatestProduct(up, b); },
       [&visit](int item)
       {
         visit(item);

@@ -18,14 +18,7 @@ struct Slab
 
   bool Overlaps(const Box& box) const
   {
-    double lower = 0.0, upper = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double x = this->Normal[k] * box.Lower[k], y = this->Normal[k] * box.Upper[k];
-      lower += std::min(x, y);
-      upper += std::max(x, y);
-    }
-    return this->Overlaps(lower, upper);
+    return this->Overlaps(LeastProduct(this->Normal, box), GreatestProduct(this->Normal, box));
   }
 
   bool Overlaps(const std::array<Point, 3>& triangle) const

@@ -72,13 +72,12 @@ public:
   /** Whether the determinant is certainly positive for every w in a box. */
   bool IsPositiveIn(const Box& box) const
   {
-    double least = 0.0, most = 0.0;
+    double most = 0.0;
     for (int k = 0; k < 3; ++k)
     {
-      least += std::min(this->Normal[k] * box.Lower[k], this->Normal[k] * box.Upper[k]);
       most = std::max({ most, std::abs(box.Lower[k]), std::abs(box.Upper[k]) });
     }
-    return this->IsCertain(least, most);
+    return this->IsCertain(LeastProduct(this->Normal, box), most);
   }
 
 private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Kernels.h"
 
@@ -231,17 +232,24 @@ double DistanceTo(
   // Rounding errors of squared distances are large errors of small distances.
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   const CGAL::Cartesian_converter<Inexact, Exact> toExact;
-  std::vector<double> squares;
-  for (const Triangle& t : triangles)
-  {
-    squares.push_back(CGAL::squared_distance(ToInexact(point), ToTriangle(points, t)));
-  }
-  const double least = *std::min_element(squares.begin(), squares.end());
   const double slack = 1e-12 * CGAL::squared_distance(ToInexact(points[0]), ToInexact(point));
-  double nearest = HUGE_VAL;
+  double least = HUGE_VAL;
+  std::vector<std::pair<double, std::size_t>> close; // squared distances and triangles
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    if (squares[i] <= least + slack)
+    const auto& [a, b, c] = triangles[i];
+    if (carving::BoxAround({ points[a], points[b], points[c] }).SquaredDistanceTo(point) <=
+      least + slack)
+    {
+      close.emplace_back(
+        CGAL::squared_distance(ToInexact(point), ToTriangle(points, triangles[i])), i);
+      least = std::min(least, close.back().first);
+    }
+  }
+  double nearest = HUGE_VAL;
+  for (const auto& [square, i] : close)
+  {
+    if (square <= least + slack)
     {
       const auto exact = CGAL::squared_distance(
         toExact(ToInexact(point)), toExact(ToTriangle(points, triangles[i])));

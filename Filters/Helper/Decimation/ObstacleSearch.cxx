@@ -8,7 +8,7 @@ namespace carving::helper
 namespace
 {
 
-/** Of more triangles, a search passes over most, but a copy of all takes longer than that. */
+/** To copy more triangles takes longer than to search the tree. */
 constexpr std::size_t MostCopies = 4096;
 
 } // namespace

@@ -116,6 +116,12 @@ TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m)
   return mesh;
 }
 
+TriangleMesh CrossingTori()
+{
+  const TriangleMesh torus = Torus(1.0, 0.4, 12, 8);
+  return Joined(torus, Moved(torus, { 1.0, 0.1, 0.2 }));
+}
+
 TriangleMesh BumpyTorus(int points)
 {
   const double ratio = 3.0; // of the two circumferences

@@ -22,6 +22,8 @@ TriangleMesh Sphere(int subdivisions);
 TriangleMesh CloseSpheres();
 /** A torus around the z axis: n x m quadrilaterals, split in two. */
 TriangleMesh Torus(double majorRadius, double minorRadius, int n, int m);
+/** Two tori of 96 quadrilaterals each that cross each other. */
+TriangleMesh CrossingTori();
 /**
  * A torus with irregular bumps, of about so many points, but at least 300: a mesh of any size for
  * measurements.

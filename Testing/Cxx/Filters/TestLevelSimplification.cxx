@@ -244,8 +244,7 @@ TEST(LevelSimplification, StaysWithinAnErrorBound)
 TEST(LevelSimplification, IsCloseWhereAnErrorBoundIsOutOfReach)
 {
   constexpr double tolerance = 0.01;
-  const auto tori = models::Joined(models::Torus(1.0, 0.4, 12, 8),
-    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const auto tori = models::CrossingTori();
   vtkNew<vtkTopologyCarver> carver;
   carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);

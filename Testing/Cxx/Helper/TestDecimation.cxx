@@ -26,6 +26,8 @@ using helper::DecimateEnclosing;
 namespace
 {
 
+const int NumberOfSurfaces = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_DECIMATIONS", 40);
+
 /** A decimated surface on its own. */
 struct Result
 {
@@ -247,8 +249,7 @@ TEST(Decimation, IsTighterWithoutNesting)
 // enclose the level, all others the mesh that has been carved.
 TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 {
-  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_DECIMATIONS", 40);
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < NumberOfSurfaces; ++i)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);
@@ -260,8 +261,7 @@ TEST(Decimation, EnclosesLevelsOfRandomMeshes)
 // The same for flat sheets, whose corners move in the sheets' planes.
 TEST(Decimation, EnclosesLevelsOfFlatSheets)
 {
-  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_DECIMATIONS", 40);
-  for (int i = 0; i < count; ++i)
+  for (int i = 0; i < NumberOfSurfaces; ++i)
   {
     SCOPED_TRACE(i);
     std::mt19937_64 random(i);

@@ -335,8 +335,7 @@ TEST(Enclose, MeetsACleanMesh)
 // the mesh itself.
 TEST(Enclose, MeetsCrossingTori)
 {
-  const TriangleMesh mesh = models::Joined(models::Torus(1.0, 0.4, 12, 8),
-    models::Moved(models::Torus(1.0, 0.4, 12, 8), { 1.0, 0.1, 0.2 }));
+  const TriangleMesh mesh = models::CrossingTori();
   const Reply reply = GetReply(mesh, Conformity::Enclosing, 0.02);
   const ResolvedMesh& input = reply.Result.GetInput();
   EXPECT_GT(reply.IntersectingPairs, 0);

@@ -21,22 +21,11 @@
 
 using namespace carving;
 
-namespace
-{
-
-TriangleMesh CrossingTori()
-{
-  const TriangleMesh torus = models::Torus(1.0, 0.4, 12, 8);
-  return models::Joined(torus, models::Moved(torus, { 1.0, 0.1, 0.2 }));
-}
-
-} // namespace
-
 // The kept distances are those of dense samples on the kept surface, of which parts of the mesh are
 // left out.
 TEST(MetShare, MeasuresTheKeptDistances)
 {
-  const TriangleMesh mesh = CrossingTori();
+  const TriangleMesh mesh = models::CrossingTori();
   const Reply reply = GetReply(mesh, Conformity::Enclosing);
   const Tetrahedralization& result = reply.Result;
   const std::vector<Point>& points = result.Surface.Points;
@@ -53,7 +42,7 @@ TEST(MetShare, MeasuresTheKeptDistances)
       }
       const auto [a, b, c] = result.OutwardFace(static_cast<int>(cell), f);
       const Point u = points[b] - points[a], v = points[c] - points[a];
-      constexpr int rows = 12;
+      constexpr int rows = 24;
       for (int i = 0; i < rows; ++i)
       {
         for (int k = 0; i + k < rows; ++k)
@@ -83,7 +72,7 @@ TEST(MetShare, MeasuresTheKeptDistances)
 // The shares that are met are those of the faces' area in the area of the mesh and its triangles.
 TEST(MetShare, KnowsWhichShareIsMet)
 {
-  const TriangleMesh mesh = CrossingTori();
+  const TriangleMesh mesh = models::CrossingTori();
   const Reply reply = GetReply(mesh, Conformity::Enclosing);
   const auto areaOf = [](const std::vector<Point>& points, const Triangle& t)
   { return Length(Cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2.0; };

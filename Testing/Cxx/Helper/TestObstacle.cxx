@@ -106,8 +106,8 @@ ResolvedMesh MakePolygon(int corners, double radius, double height)
 
 } // namespace
 
-// A vertex that moves down stops at a wall, however that is divided: also into so many triangles that
-// they are not copied.
+// A vertex that moves down stops at a wall. The wall may have so many triangles that they are not
+// copied.
 TEST(Obstacle, StopsVertices)
 {
   const std::vector<Point> ring = { { 0.2, 0.3, 1.5 }, { 0.7, 0.2, 1.5 }, { 0.6, 0.9, 1.5 } };

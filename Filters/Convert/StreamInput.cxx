@@ -112,10 +112,10 @@ void ReadOrder(vtkUnstructuredGrid* grid, int lastStep, ArrayReader& reader,
       [&](double value, vtkIdType i)
       { return steps.IsMet(value, i) && (value != 0.0 || i >= cells); } },
     order.Step);
-  reader.Read(cellData, StreamArrays::Priority, count,
-    Priorities([&](vtkIdType i) { return i < cells && order.Step[i] > 0; }), order.Priority);
-  reader.Read(cellData, StreamArrays::Depth, count, FiniteMeasures(), order.Depth);
-  reader.Read(cellData, StreamArrays::Region, count, IntegersFrom(-1), stream.Regions);
+  reader.Check(cellData, StreamArrays::Priority, count,
+    Priorities([&](vtkIdType i) { return i < cells && order.Step[i] > 0; }));
+  reader.Check(cellData, StreamArrays::Depth, count, FiniteMeasures());
+  reader.Check(cellData, StreamArrays::Region, count, IntegersFrom(-1));
   reader.Read(cellData, StreamArrays::SolidSides, count, IntegersFrom(0, 3), solidSides);
   reader.Read(grid->GetPointData(), StreamArrays::OriginalPoints, grid->GetNumberOfPoints(),
     IntegersFrom(-1), stream.Mesh.Surface.PointSources);
@@ -182,9 +182,6 @@ std::string ReadArrays(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stre
   const std::size_t cells = stream.Mesh.Cells.size();
   const std::size_t facets = stream.Mesh.Surface.Facets.size();
   TakePart(stream.Order.Step, 0, cells);
-  TakePart(stream.Order.Priority, 0, cells);
-  TakePart(stream.Order.Depth, 0, cells);
-  TakePart(stream.Regions, 0, cells);
   TakePart(solidSides, cells, facets);
   for (int& step : stream.Order.Step)
   {

@@ -64,27 +64,40 @@ std::vector<int> FindFacetSteps(const StoredStream<D>& stream)
   return steps;
 }
 
+/**
+ * Copies the values of cells into an array that has the same value for all facets. Releases the
+ * memory of the copied values, so that few of a stream's arrays are in memory twice at a time.
+ */
+template <class Array, class Value>
+vtkNew<Array> TakeArray(const char* name, vtkIdType count, std::vector<Value>& ofCells,
+  typename Array::ValueType ofFacets)
+{
+  vtkNew<Array> array = MakeArray<Array>(name, count);
+  auto* const facets = std::copy(ofCells.begin(), ofCells.end(), array->GetPointer(0));
+  std::fill(facets, array->GetPointer(count), ofFacets);
+  ofCells = std::vector<Value>(); // {} would keep the memory
+  return array;
+}
+
 template <int D>
-void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
+void FillCellData(StoredStream<D>& stream, vtkPolyData* input,
   const std::vector<vtkIdType>& cellIds, vtkCellData* output)
 {
   const vtkIdType cells = static_cast<vtkIdType>(stream.Mesh.Cells.size());
   const vtkIdType facets = static_cast<vtkIdType>(stream.Sides.size());
   const vtkIdType count = cells + facets;
-  auto priority = MakeArray<vtkDoubleArray>(StreamArrays::Priority, count);
-  auto depth = MakeArray<vtkDoubleArray>(StreamArrays::Depth, count);
+  auto priority =
+    TakeArray<vtkDoubleArray>(StreamArrays::Priority, count, stream.Order.Priority, NaN);
+  auto depth = TakeArray<vtkDoubleArray>(StreamArrays::Depth, count, stream.Order.Depth, 0.0);
+  auto region = TakeArray<vtkIntArray>(StreamArrays::Region, count, stream.Regions, -1);
   auto steps = MakeArray<vtkIntArray>(StreamArrays::Step, count);
-  auto region = MakeArray<vtkIntArray>(StreamArrays::Region, count);
   auto solidSides = MakeArray<vtkIntArray>(StreamArrays::SolidSides, count);
   auto originalCells = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalCells, count);
   solidSides->Fill(0);
   output->CopyAllocate(input->GetCellData(), count);
   for (vtkIdType i = 0; i < cells; ++i)
   {
-    priority->SetValue(i, stream.Order.Priority[i]);
-    depth->SetValue(i, stream.Order.Depth[i]);
     steps->SetValue(i, StepForUser(stream.Order.Step[i]));
-    region->SetValue(i, stream.Regions[i]);
     originalCells->SetValue(i, -1);
     output->NullData(i);
   }
@@ -94,10 +107,7 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
   {
     const vtkIdType i = cells + facet;
     const vtkIdType original = cellIds[stream.Mesh.Surface.FacetSources[facet]];
-    priority->SetValue(i, NaN);
-    depth->SetValue(i, 0.0);
     steps->SetValue(i, StepForUser(facetSteps[facet]));
-    region->SetValue(i, -1);
     solidSides->SetValue(i, sides[facet]);
     originalCells->SetValue(i, original);
     output->CopyData(input->GetCellData(), original, i);
@@ -114,8 +124,8 @@ void FillCellData(const StoredStream<D>& stream, vtkPolyData* input,
 } // namespace
 
 template <int D>
-void FillStream(const StoredStream<D>& stream, vtkPolyData* input,
-  const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output)
+void FillStream(StoredStream<D>& stream, vtkPolyData* input, const std::vector<vtkIdType>& cellIds,
+  vtkUnstructuredGrid* output)
 {
   FillPoints(stream.Mesh.Surface, input, output);
   FillCells(stream.Mesh, output);
@@ -127,9 +137,9 @@ void FillStream(const StoredStream<D>& stream, vtkPolyData* input,
 }
 
 template void FillStream<2>(
-  const StoredStream<2>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+  StoredStream<2>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
 template void FillStream<3>(
-  const StoredStream<3>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
+  StoredStream<3>&, vtkPolyData*, const std::vector<vtkIdType>&, vtkUnstructuredGrid*);
 
 void FillProfile(const carving::Profile& profile, vtkTable* output)
 {

@@ -22,10 +22,11 @@ class vtkUnstructuredGrid;
 /**
  * Fills the grid with a stream. `cellIds` has the cell of `input` for each facet that the helper
  * program was given. The field data get the settings that are members of the stream; the caller
- * adds the other settings and the profile.
+ * adds the other settings and the profile. The stream's priorities, depths and regions are
+ * released: levels do not need them.
  */
 template <int D>
-void FillStream(const carving::StoredStream<D>& stream, vtkPolyData* input,
+void FillStream(carving::StoredStream<D>& stream, vtkPolyData* input,
   const std::vector<vtkIdType>& cellIds, vtkUnstructuredGrid* output);
 
 void FillProfile(const carving::Profile& profile, vtkTable* output);

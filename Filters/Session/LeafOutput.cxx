@@ -62,8 +62,7 @@ void LeafOutput<D>::WriteEmpty(vtkPolyData* input, const DecomposedLeaf<D>& leaf
 }
 
 template <int D>
-bool LeafOutput<D>::Write(
-  vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved)
+bool LeafOutput<D>::Write(vtkPolyData* input, const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved)
 {
   const CarverStages::Timer timer(this->Stages, OutputStage);
   this->PassFieldData(input);
@@ -98,7 +97,7 @@ void LeafOutput<D>::PassFieldData(vtkPolyData* input)
 
 template <int D>
 void LeafOutput<D>::WriteStreamAndProfile(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
-  const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
+  CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid)
 {
   auto* profile = vtkTable::SafeDownCast(this->Ports.Profile);
   FillProfile(carved.Profile, profile);

@@ -33,13 +33,16 @@ public:
   /** Passes on the input's own field data. An empty leaf has no other output, except notes. */
   void WriteEmpty(vtkPolyData* input, const DecomposedLeaf<D>& leaf);
 
-  /** Writes all outputs. Returns false if the filter is to stop. */
-  bool Write(vtkPolyData* input, const DecomposedLeaf<D>& leaf, const CarvedLeaf<D>& carved);
+  /**
+   * Writes all outputs. Releases arrays of the carving that have been written. Returns false if the
+   * filter is to stop.
+   */
+  bool Write(vtkPolyData* input, const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved);
 
 private:
   void PassFieldData(vtkPolyData* input);
   void WriteStreamAndProfile(vtkPolyData* attributes, const DecomposedLeaf<D>& leaf,
-    const CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
+    CarvedLeaf<D>& carved, vtkUnstructuredGrid* grid);
   std::vector<int> SelectSteps(const carving::Profile& profile);
   /** Fills a block for each step. Returns false if the filter is to stop. */
   bool WriteLevels(

@@ -40,7 +40,7 @@ MemoryNeed MemoryNeed::Estimate(
   const bool usesTetGen = options.Conformity != carving::Conformity::Enclosing &&
     options.Strategy != carving::Strategy::Recover;
   MemoryNeed need;
-  need.Host = 1800.0 * vertices;
+  need.Host = 1460.0 * vertices;
   need.Helper =
     usesTetGen ? 3200.0 * vertices + 1400.0 * triangles : 1350.0 * vertices + 500.0 * triangles;
   return need;

@@ -119,7 +119,7 @@ void CheckRestoring(const StoredStream<D>& stored)
 {
   StoredStream<D> restored = stored;
   restored.Mesh.Neighbors.clear();
-  restored.Mesh.Constraints.clear();
+  restored.Mesh.Constraints = {};
   restored.Sides.clear();
   Require(Connect(restored, GetSolidSides(stored)));
   Require(restored.Mesh.Neighbors == stored.Mesh.Neighbors);

@@ -103,7 +103,8 @@ void FillGrid(Bytes& bytes, const Carving<D>& carved, vtkUnstructuredGrid* grid)
   const auto input = ToPolyData({ carved.Stored.Mesh.Surface.Points, {} });
   std::vector<vtkIdType> cellIds(carved.Stored.Mesh.Surface.FacetSources.size());
   std::iota(cellIds.begin(), cellIds.end(), 0);
-  FillStream(carved.Stored, input, cellIds, grid);
+  StoredStream<D> stored = carved.Stored;
+  FillStream(stored, input, cellIds, grid);
   vtkNew<vtkTable> profile;
   FillProfile(carved.Profile, profile);
   AddProfile(profile, !carved.Profile.Error.empty(), grid->GetFieldData());

@@ -47,13 +47,13 @@ struct RemainingCells
     : Records(mesh.Cells.size())
     , States(states)
   {
-    for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+    for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
     {
       this->Records[cell].Corners = mesh.Cells[cell];
       for (int f = 0; f <= D; ++f)
       {
         this->Records[cell].Faces[f] = { std::max(mesh.Neighbors[cell][f], Outside),
-          mesh.Constraints[cell][f] >= 0 };
+          mesh.Constraints.Has(cell, f) };
       }
     }
   }

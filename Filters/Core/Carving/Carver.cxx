@@ -70,7 +70,7 @@ public:
       }
       for (int f = 0; f <= D; ++f)
       {
-        if (mesh.Neighbors[cell][f] < 0 && mesh.Constraints[cell][f] < 0)
+        if (mesh.Neighbors[cell][f] < 0 && !mesh.Constraints.Has(cell, f))
         {
           this->Expose(cell, 1.0);
         }
@@ -129,7 +129,7 @@ private:
     const std::vector<double> measure =
       ComputePriorities(this->Mesh, this->Options.Measure, this->Options.Threads);
     this->Cells = MakeLarge<State<D>>(measure.size());
-    for (std::size_t cell = 0; cell < this->Cells.size(); ++cell)
+    for (int cell = 0; cell < static_cast<int>(this->Cells.size()); ++cell)
     {
       State<D>& state = this->Cells[cell];
       state.Priority = measure[cell];
@@ -137,7 +137,7 @@ private:
       {
         const int neighbor = this->Mesh.Neighbors[cell][f];
         const bool open =
-          neighbor >= 0 && this->Mesh.Constraints[cell][f] < 0 && !this->Mesh.IsKept(neighbor);
+          neighbor >= 0 && !this->Mesh.Constraints.Has(cell, f) && !this->Mesh.IsKept(neighbor);
         state.Next[f] = open ? neighbor : -1;
       }
     }

@@ -112,7 +112,7 @@ private:
       {
         const int neighbor = this->Mesh.Neighbors[cell][f];
         if (neighbor >= 0 && this->Step[neighbor] != Stream::Never &&
-          this->Mesh.Constraints[cell][f] < 0)
+          !this->Mesh.Constraints.Has(cell, f))
         {
           const auto [a, b, c] = this->Mesh.OutwardFace(cell, f);
           this->AddEdge(a, b, Stream::Never);
@@ -133,7 +133,7 @@ private:
       const int neighbor = this->Mesh.Neighbors[cell][f];
       const int other = this->Step[std::max(neighbor, 0)];
       const bool before = (neighbor < 0) | (other < step) | ((other == step) & (neighbor < cell));
-      ended |= static_cast<unsigned int>(before & (this->Mesh.Constraints[cell][f] < 0)) << f;
+      ended |= static_cast<unsigned int>(before & !this->Mesh.Constraints.Has(cell, f)) << f;
     }
     constexpr int bits[16] = { 0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4 };
     this->Changes[step] += D % 2 == 0 ? bits[ended] - 1 : 1 - bits[ended];

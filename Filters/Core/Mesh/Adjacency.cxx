@@ -55,11 +55,12 @@ Buckets<Face<D>> CollectFaces(const Decomposition<D>& mesh)
 }
 
 /**
- * Connects the cells of equal faces. A facet of M comes first. Returns false if the faces do not
- * fit.
+ * Connects the cells of equal faces. A facet of M comes first. `constraints` has the facets of each
+ * cell. Returns false if the faces do not fit.
  */
 template <int D>
-bool Connect(const Face<D>* first, const Face<D>* last, Decomposition<D>& mesh)
+bool Connect(const Face<D>* first, const Face<D>* last, Decomposition<D>& mesh,
+  std::vector<typename FaceConstraints<D>::Facets>& constraints)
 {
   const int facet = first->Cell < 0 ? first->Index : -1;
   const Face<D>* cells = first + (facet >= 0 ? 1 : 0);
@@ -70,7 +71,7 @@ bool Connect(const Face<D>* first, const Face<D>* last, Decomposition<D>& mesh)
   }
   for (const Face<D>* face = cells; face != last; ++face)
   {
-    mesh.Constraints[face->Cell][face->Index] = facet;
+    constraints[face->Cell][face->Index] = facet;
   }
   if (count == 2)
   {
@@ -88,7 +89,7 @@ bool FindAdjacency(Decomposition<D>& mesh)
   typename Decomposition<D>::Cell none;
   none.fill(-1);
   mesh.Neighbors.assign(mesh.Cells.size(), none);
-  mesh.Constraints.assign(mesh.Cells.size(), none);
+  std::vector<typename FaceConstraints<D>::Facets> constraints(mesh.Cells.size(), none);
   Buckets<Face<D>> faces = CollectFaces(mesh);
   for (int vertex = 0; vertex < faces.GetNumberOfBuckets(); ++vertex)
   {
@@ -98,13 +99,14 @@ bool FindAdjacency(Decomposition<D>& mesh)
     {
       const auto last = std::find_if(
         first, bucket.end(), [&](const Face<D>& face) { return face.Corners != first->Corners; });
-      if (!Connect(&*first, &*first + (last - first), mesh))
+      if (!Connect(&*first, &*first + (last - first), mesh, constraints))
       {
         return false;
       }
       first = last;
     }
   }
+  mesh.Constraints = FaceConstraints<D>(constraints);
   return true;
 }
 

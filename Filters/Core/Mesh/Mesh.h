@@ -6,6 +6,8 @@
 #ifndef carving_Mesh_h
 #define carving_Mesh_h
 
+#include "Core/Mesh/FaceConstraints.h"
+
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -102,9 +104,9 @@ struct Decomposition
 
   /** M. The Steiner points follow the points of M. */
   ResolvedInput<D> Surface;
-  std::vector<Cell> Cells;       ///< corners
-  std::vector<Cell> Neighbors;   ///< per face: the other cell, Outside or Solid
-  std::vector<Cell> Constraints; ///< per face: the facet of M that it lies on, or -1
+  std::vector<Cell> Cells;     ///< corners
+  std::vector<Cell> Neighbors; ///< per face: the other cell, Outside or Solid
+  FaceConstraints<D> Constraints;
 
   // In enclosing mode M need not be a union of faces. `Surface` then consists of the faces that
   // overlap a triangle of M in an area.
@@ -173,7 +175,7 @@ bool SameDirection(const std::array<int, D>& a, const std::array<int, D>& b)
 template <int D>
 int SideOfFacet(const Decomposition<D>& mesh, int cell, int f)
 {
-  const int facet = mesh.Constraints[cell][f];
+  const int facet = mesh.Constraints.Get(cell, f);
   return SameDirection<D>(mesh.OutwardFace(cell, f), mesh.Surface.Facets[facet]) ? 0 : 1;
 }
 

@@ -4,7 +4,9 @@
 #include "Core/Mesh/Fetch.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <vector>
@@ -89,6 +91,37 @@ int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& f
   return corners[CornersApart<D>(cell, face)];
 }
 
+/** Whether the bits, the counts and the list of a mesh's constraints belong together. */
+template <int D>
+bool IsConsistent(const FaceConstraints<D>& constraints)
+{
+  constexpr std::uint32_t facesOfCell = (1u << (D + 1)) - 1;
+  if (constraints.NumberOfCells < 0 ||
+    constraints.Blocks.size() != (static_cast<std::size_t>(constraints.NumberOfCells) + 7) / 8)
+  {
+    return false;
+  }
+  std::size_t count = 0;
+  for (std::size_t block = 0; block < constraints.Blocks.size(); ++block)
+  {
+    const auto [faces, before] = constraints.Blocks[block];
+    if (before < 0 || static_cast<std::size_t>(before) != count)
+    {
+      return false;
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      const bool isCell = static_cast<int>(8 * block) + i < constraints.NumberOfCells;
+      if ((faces >> (4 * i) & 15u & ~(isCell ? facesOfCell : 0u)) != 0)
+      {
+        return false;
+      }
+    }
+    count += std::bitset<32>(faces).count();
+  }
+  return count == constraints.OfFaces.size();
+}
+
 /**
  * Whether both cells of every face agree on its corners, its cells and its constraint.
  *
@@ -103,7 +136,7 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
   int fromBelow = 0, fromAbove = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors, mesh.Constraints);
+    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors);
     for (int f = 0; f <= D; ++f)
     {
       const int neighbor = mesh.Neighbors[cell][f];
@@ -119,7 +152,7 @@ bool NeighborsAgree(const Decomposition<D>& mesh)
       ++fromBelow;
       const int g = FindOpposite<D>(mesh.Cells[neighbor], mesh.OutwardFace(cell, f));
       if (g < 0 || mesh.Neighbors[neighbor][g] != cell ||
-        mesh.Constraints[neighbor][g] != mesh.Constraints[cell][f])
+        mesh.Constraints.Get(neighbor, g) != mesh.Constraints.Get(cell, f))
       {
         return false;
       }
@@ -152,7 +185,7 @@ bool FacetsAreFaces(const Decomposition<D>& mesh, const std::vector<std::array<i
   {
     for (int f = 0; f <= D; ++f)
     {
-      const int facet = mesh.Constraints[cell][f];
+      const int facet = mesh.Constraints.Get(cell, f);
       if (facet < 0)
       {
         if (mesh.Neighbors[cell][f] == Solid)
@@ -197,7 +230,8 @@ std::string FindMistake(
       return mistake;
     }
   }
-  if (mesh.Neighbors.size() != mesh.Cells.size() || mesh.Constraints.size() != mesh.Cells.size() ||
+  if (mesh.Neighbors.size() != mesh.Cells.size() ||
+    static_cast<std::size_t>(mesh.Constraints.NumberOfCells) != mesh.Cells.size() ||
     (!mesh.Kept.empty() && mesh.Kept.size() != mesh.Cells.size()) ||
     mesh.MetShares.size() != mesh.Unresolved.Facets.size() ||
     (!solidSides.empty() && solidSides.size() != mesh.Surface.Facets.size()))
@@ -208,12 +242,16 @@ std::string FindMistake(
   {
     return "there are too many cells";
   }
+  if (!IsConsistent(mesh.Constraints))
+  {
+    return "the constraints are not consistent";
+  }
   if (!IndicesWithin(mesh.Cells, 0, mesh.Surface.Points.size()))
   {
     return "a vertex index is out of range";
   }
   if (!IndicesWithin(mesh.Neighbors, solidSides.empty() ? Outside : Solid, mesh.Cells.size()) ||
-    !IndicesWithin(mesh.Constraints, -1, mesh.Surface.Facets.size()))
+    !IndicesWithin(mesh.Constraints.OfFaces, 0, mesh.Surface.Facets.size()))
   {
     return "a neighbor or constraint index is out of range";
   }

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace carving
 {
@@ -25,6 +26,17 @@ bool IndicesWithin(const Tuples& tuples, int first, std::size_t end)
     {
       within &= index >= first && index < static_cast<long long>(end);
     }
+  }
+  return within;
+}
+
+/** Likewise for single indices. */
+inline bool IndicesWithin(const std::vector<int>& indices, int first, std::size_t end)
+{
+  bool within = true;
+  for (const int index : indices)
+  {
+    within &= index >= first && index < static_cast<long long>(end);
   }
   return within;
 }

@@ -18,7 +18,7 @@ namespace
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
 constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'F' };
-constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'C' };
+constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'D' };
 
 class Writer
 {
@@ -168,7 +168,9 @@ void VisitDecomposition(Archive& archive, Mesh& mesh)
   VisitInput(archive, mesh.Surface);
   archive.Array(mesh.Cells);
   archive.Array(mesh.Neighbors);
-  archive.Array(mesh.Constraints);
+  archive.Value(mesh.Constraints.NumberOfCells);
+  archive.Array(mesh.Constraints.Blocks);
+  archive.Array(mesh.Constraints.OfFaces);
   archive.Array(mesh.Kept);
   VisitInput(archive, mesh.Unresolved);
   archive.Array(mesh.MetShares);
@@ -224,9 +226,8 @@ std::string FindMistake(const Classification& regions, const Tetrahedralization&
     return "regions do not fit the tetrahedra";
   }
   const std::size_t count = regions.Regions.size();
-  const bool within = IndicesWithin(regions.SolidRegions, -1, count) &&
-    std::all_of(regions.RegionOfCell.begin(), regions.RegionOfCell.end(),
-      [count](int region) { return region >= 0 && static_cast<std::size_t>(region) < count; });
+  const bool within =
+    IndicesWithin(regions.SolidRegions, -1, count) && IndicesWithin(regions.RegionOfCell, 0, count);
   return within ? "" : "a region index is out of range";
 }
 

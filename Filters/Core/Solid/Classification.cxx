@@ -47,10 +47,10 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
     {
       const int cell = stack.back();
       stack.pop_back();
-      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Constraints, mesh.Neighbors);
+      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Neighbors);
       for (int f = 0; f <= D; ++f)
       {
-        if (mesh.Constraints[cell][f] >= 0)
+        if (mesh.Constraints.Has(cell, f))
         {
           continue;
         }
@@ -107,11 +107,11 @@ std::vector<std::vector<Crossing>> FindCrossings(
 {
   const int outside = static_cast<int>(result.Regions.size());
   std::vector<std::vector<Crossing>> crossings(outside + 1);
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     for (int f = 0; f <= D; ++f)
     {
-      const int triangle = mesh.Constraints[cell][f];
+      const int triangle = mesh.Constraints.Get(cell, f);
       if (triangle < 0)
       {
         continue;
@@ -119,7 +119,7 @@ std::vector<std::vector<Crossing>> FindCrossings(
       const int neighbor = mesh.Neighbors[cell][f];
       const int to = result.RegionOfCell[cell];
       const int from = neighbor < 0 ? outside : result.RegionOfCell[neighbor];
-      const bool behind = SideOfFacet(mesh, static_cast<int>(cell), f) == 0;
+      const bool behind = SideOfFacet(mesh, cell, f) == 0;
       const int winding = mesh.Surface.SignedMultiplicities[triangle];
       crossings[from].push_back(
         { to, behind ? winding : -winding, mesh.Surface.Multiplicities[triangle] });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/DropSolid.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace carving
 {
@@ -13,7 +13,7 @@ void NoteFacets(const Tetrahedralization& mesh, int cell, Classification& region
 {
   for (int f = 0; f < 4; ++f)
   {
-    const int facet = mesh.Constraints[cell][f];
+    const int facet = mesh.Constraints.Get(cell, f);
     if (facet >= 0)
     {
       regions.SolidRegions[facet][SideOfFacet(mesh, cell, f)] = regions.RegionOfCell[cell];
@@ -28,6 +28,7 @@ void DropSolid(Tetrahedralization& mesh, Classification& regions)
   const int numberOfCells = static_cast<int>(mesh.Cells.size());
   regions.SolidRegions.assign(mesh.Surface.Facets.size(), { -1, -1 });
   std::vector<int> newIndex(numberOfCells, Solid);
+  FaceConstraints<3> constraints;
   int stored = 0;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
@@ -39,12 +40,13 @@ void DropSolid(Tetrahedralization& mesh, Classification& regions)
     newIndex[cell] = stored;
     mesh.Cells[stored] = mesh.Cells[cell];
     mesh.Neighbors[stored] = mesh.Neighbors[cell];
-    mesh.Constraints[stored] = mesh.Constraints[cell];
+    constraints.Append(mesh.Constraints.Get(cell));
     regions.RegionOfCell[stored] = regions.RegionOfCell[cell];
     ++stored;
   }
   const auto resize = [stored](auto&... arrays) { (arrays.resize(stored), ...); };
-  resize(mesh.Cells, mesh.Neighbors, mesh.Constraints, regions.RegionOfCell);
+  resize(mesh.Cells, mesh.Neighbors, regions.RegionOfCell);
+  mesh.Constraints = std::move(constraints);
   for (auto& neighbors : mesh.Neighbors)
   {
     for (int& neighbor : neighbors)

@@ -96,7 +96,7 @@ void ForEachFace(
       const int neighbor = mesh.Neighbors[cell][f];
       const int birth = neighbor < 0 ? 0 : stream.Order.Step[neighbor];
       // The first condition rejects nearly all faces when a single level is extracted.
-      if (birth <= last && birth < death && mesh.Constraints[cell][f] < 0)
+      if (birth <= last && birth < death && !mesh.Constraints.Has(cell, f))
       {
         visit(FaceLife<D>{
           mesh.OutwardFace(cell, f), -1, HalfFace<D>::Of(cell, f), false, birth, death });

@@ -27,7 +27,7 @@ void FindSides(StoredStream<D>& stream, const std::vector<int>& solidSides)
   {
     for (int f = 0; f <= D; ++f)
     {
-      const int facet = mesh.Constraints[cell][f];
+      const int facet = mesh.Constraints.Get(cell, f);
       if (facet >= 0)
       {
         stream.Sides[facet][SideOfFacet(mesh, cell, f)] = HalfFace<D>::Of(cell, f);
@@ -56,8 +56,8 @@ StoredStream<D> Store(
     stored += isStored(cell);
   }
   const auto reserve = [stored](auto&... arrays) { (ReserveLarge(arrays, stored), ...); };
-  reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Mesh.Constraints, result.Regions,
-    result.Order.Step, result.Order.Priority, result.Order.Depth);
+  reserve(result.Mesh.Cells, result.Mesh.Neighbors, result.Regions, result.Order.Step,
+    result.Order.Priority, result.Order.Depth);
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
     if (isStored(cell))
@@ -65,7 +65,7 @@ StoredStream<D> Store(
       newIndex[cell] = static_cast<int>(result.Mesh.Cells.size());
       result.Mesh.Cells.push_back(mesh.Cells[cell]);
       result.Mesh.Neighbors.push_back(mesh.Neighbors[cell]);
-      result.Mesh.Constraints.push_back(mesh.Constraints[cell]);
+      result.Mesh.Constraints.Append(mesh.Constraints.Get(cell));
       result.Regions.push_back(regions.RegionOfCell[cell]);
       result.Order.Step.push_back(stream.Step[cell]);
       result.Order.Priority.push_back(stream.Priority[cell]);
@@ -74,7 +74,7 @@ StoredStream<D> Store(
     }
     for (int f = 0; f <= D; ++f)
     {
-      const int facet = mesh.Constraints[cell][f];
+      const int facet = mesh.Constraints.Get(cell, f);
       if (facet >= 0)
       {
         solidSides[facet] |= 1 << SideOfFacet(mesh, cell, f);

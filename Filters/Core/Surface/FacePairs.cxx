@@ -130,7 +130,7 @@ private:
 
   int ConstraintOf(int halfFace) const
   {
-    return this->Mesh.Constraints[HalfFace<D>::Cell(halfFace)][HalfFace<D>::Corner(halfFace)];
+    return this->Mesh.Constraints.Get(HalfFace<D>::Cell(halfFace), HalfFace<D>::Corner(halfFace));
   }
 
   /** The half-face in the exterior next to a face, or else the one behind the face; or Outside. */

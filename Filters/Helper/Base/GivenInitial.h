@@ -43,7 +43,7 @@ std::vector<char> FindCellsWithin(const Decomposition<D>& mesh, const IsInitial&
   std::vector<int> stack;
   const auto cross = [&](int from, int f, int to)
   {
-    const int facet = mesh.Constraints[from][f];
+    const int facet = mesh.Constraints.Get(from, f);
     if (within[to] && (facet < 0 || !isInitial(facet)))
     {
       within[to] = 0;

@@ -65,7 +65,7 @@ std::size_t FindConstraints(Tetrahedralization& result)
     std::sort(facets[point].begin(), facets[point].end());
   }
   std::vector<char> found(triangles.size(), 0);
-  result.Constraints.assign(result.Cells.size(), { -1, -1, -1, -1 });
+  std::vector<std::array<int, 4>> constraints(result.Cells.size(), { -1, -1, -1, -1 });
   for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
   {
     for (int f = 0; f < 4; ++f)
@@ -82,14 +82,15 @@ std::size_t FindConstraints(Tetrahedralization& result)
       if (facet != bucket.end() && facet->Others == face.Others)
       {
         found[facet->Index] = 1;
-        result.Constraints[cell][f] = facet->Index;
+        constraints[cell][f] = facet->Index;
         if (neighbor >= 0)
         {
-          result.Constraints[neighbor][FaceTowards(result, neighbor, cell)] = facet->Index;
+          constraints[neighbor][FaceTowards(result, neighbor, cell)] = facet->Index;
         }
       }
     }
   }
+  result.Constraints = FaceConstraints<3>(constraints);
   return std::count(found.begin(), found.end(), 0);
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace carving::helper
 {
@@ -48,14 +49,11 @@ std::vector<int> Number(const std::vector<char>& keep)
 }
 
 /** Replaces the indices that are not negative. */
-void Renumber(std::vector<std::array<int, 4>>& tuples, const std::vector<int>& newIndex)
+void Renumber(std::array<int, 4>& indices, const std::vector<int>& newIndex)
 {
-  for (std::array<int, 4>& tuple : tuples)
+  for (int& index : indices)
   {
-    for (int& index : tuple)
-    {
-      index = index < 0 ? index : newIndex[index];
-    }
+    index = index < 0 ? index : newIndex[index];
   }
 }
 
@@ -64,9 +62,9 @@ std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector
 {
   const ResolvedMesh& surface = mesh.Surface;
   std::vector<char> enclosed(surface.Facets.size(), 0);
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  for (int cell = 0; cell < mesh.Constraints.NumberOfCells; ++cell)
   {
-    for (const int facet : mesh.Constraints[cell])
+    for (const int facet : mesh.Constraints.Get(cell))
     {
       if (within[cell] && facet >= 0)
       {
@@ -155,10 +153,6 @@ std::string RemoveOutsideOfInitial(Tetrahedralization& mesh)
   {
     return error;
   }
-  Compact(mesh.Cells, within);
-  Compact(mesh.Neighbors, within);
-  Compact(mesh.Constraints, within);
-  Renumber(mesh.Neighbors, Number(within));
   std::vector<char> ofInput;
   for (int& multiplicity : surface.Multiplicities)
   {
@@ -166,7 +160,21 @@ std::string RemoveOutsideOfInitial(Tetrahedralization& mesh)
     ofInput.push_back(multiplicity > 0);
   }
   CompactFacets(surface, ofInput);
-  Renumber(mesh.Constraints, Number(ofInput));
+  const std::vector<int> newFacets = Number(ofInput), newCells = Number(within);
+  FaceConstraints<3> constraints;
+  for (int cell = 0; cell < mesh.Constraints.NumberOfCells; ++cell)
+  {
+    if (within[cell])
+    {
+      auto facets = mesh.Constraints.Get(cell);
+      Renumber(facets, newFacets);
+      constraints.Append(facets);
+      Renumber(mesh.Neighbors[cell], newCells);
+    }
+  }
+  mesh.Constraints = std::move(constraints);
+  Compact(mesh.Cells, within);
+  Compact(mesh.Neighbors, within);
   return {};
 }
 

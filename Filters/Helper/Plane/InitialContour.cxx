@@ -79,15 +79,9 @@ std::string CheckSimple(const Contours& given)
 std::string CheckContainsInput(const ContourSet& given, const Decomposition<2>& mesh)
 {
   std::vector<char> within(mesh.Surface.Facets.size(), 0);
-  for (const auto& facets : mesh.Constraints)
+  for (const int facet : mesh.Constraints.OfFaces)
   {
-    for (const int facet : facets)
-    {
-      if (facet >= 0)
-      {
-        within[facet] = 1;
-      }
-    }
+    within[facet] = 1;
   }
   const auto outside = std::find(within.begin(), within.end(), 0);
   if (outside == within.end())

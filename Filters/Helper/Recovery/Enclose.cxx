@@ -37,13 +37,14 @@ constexpr double LeastYield = 0.0025; ///< of M's area; 100,000 changes take hal
 void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
 {
   ResolvedMesh& surface = result.Surface;
+  std::vector<std::array<int, 4>> constraints(result.Cells.size(), { -1, -1, -1, -1 });
   for (const Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     const int index = cell->info().Index;
     for (int f = 0; f < 4; ++f)
     {
       const int part = cell->info().PartOn(f);
-      if (part < 0 || result.Constraints[index][f] >= 0)
+      if (part < 0 || constraints[index][f] >= 0)
       {
         continue;
       }
@@ -52,14 +53,15 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
       const Triangle outward = result.OutwardFace(index, f);
       AppendFacet<3>(input, parent,
         FaceAlike(mesh.CornersOf(part), FaceOf(cell, f)) ? outward : Flipped<3>(outward), surface);
-      result.Constraints[index][f] = facet;
+      constraints[index][f] = facet;
       const Cell other = cell->neighbor(f);
       if (!mesh.GetDelaunay().is_infinite(other))
       {
-        result.Constraints[other->info().Index][other->index(cell)] = facet;
+        constraints[other->info().Index][other->index(cell)] = facet;
       }
     }
   }
+  result.Constraints = FaceConstraints<3>(constraints);
 }
 
 /**

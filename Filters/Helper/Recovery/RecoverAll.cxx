@@ -77,15 +77,17 @@ Ending RecoverAll(const std::vector<Point>& further, RecoveryEffort effort, int 
       " triangles of the mesh" };
   }
   WriteCells(mesh, result);
+  std::vector<std::array<int, 4>> constraints(result.Cells.size());
   for (const PiercedMesh::Cell cell : mesh.GetDelaunay().finite_cell_handles())
   {
     for (int f = 0; f < 4; ++f)
     {
       const int part = cell->info().PartOn(f);
-      result.Constraints[cell->info().Index][f] =
+      constraints[cell->info().Index][f] =
         part < 0 ? part : mesh.GetParts().GetParts()[part].Parent;
     }
   }
+  result.Constraints = FaceConstraints<3>(constraints);
   return {};
 }
 

@@ -52,12 +52,10 @@ void WriteCells(const PiercedMesh& mesh, Tetrahedralization& result)
   }
   result.Cells.reserve(cells.size());
   result.Neighbors.reserve(cells.size());
-  result.Constraints.reserve(cells.size());
   for (const PiercedMesh::Cell cell : cells)
   {
     auto& corners = result.Cells.emplace_back();
     auto& neighbors = result.Neighbors.emplace_back();
-    result.Constraints.push_back({ -1, -1, -1, -1 });
     for (int i = 0; i < 4; ++i)
     {
       const PiercedMesh::Cell other = cell->neighbor(i);

@@ -29,7 +29,7 @@ Tetrahedralization Assemble(const std::vector<Point>& points,
   mesh.Surface.Multiplicities.assign(triangles.size(), 1);
   mesh.Cells = cells;
   mesh.Neighbors.assign(cells.size(), { -1, -1, -1, -1 });
-  mesh.Constraints.assign(cells.size(), { -1, -1, -1, -1 });
+  std::vector<std::array<int, 4>> facets(cells.size(), { -1, -1, -1, -1 });
   for (std::array<int, 4>& cell : mesh.Cells)
   {
     if (SixVolume(points[cell[0]], points[cell[1]], points[cell[2]], points[cell[3]]) < 0)
@@ -55,7 +55,7 @@ Tetrahedralization Assemble(const std::vector<Point>& points,
       const Triangle key = sorted(mesh.OutwardFace(cell, f));
       if (const auto found = constraints.find(key); found != constraints.end())
       {
-        mesh.Constraints[cell][f] = found->second;
+        facets[cell][f] = found->second;
       }
       if (const auto found = open.find(key); found != open.end())
       {
@@ -66,6 +66,7 @@ Tetrahedralization Assemble(const std::vector<Point>& points,
       open[key] = { cell, f };
     }
   }
+  mesh.Constraints = FaceConstraints<3>(facets);
   return mesh;
 }
 

@@ -91,12 +91,9 @@ TEST(DropSolid, LeavesAValidMesh)
     DropSolid(mesh, regions);
     EXPECT_EQ(FindMistake(mesh, regions.SolidRegions), "");
     std::vector<char> isFace(mesh.Surface.Facets.size(), 0);
-    for (const auto& facets : mesh.Constraints)
+    for (const int facet : mesh.Constraints.OfFaces)
     {
-      for (const int facet : facets)
-      {
-        isFace[std::max(facet, 0)] |= static_cast<char>(facet >= 0);
-      }
+      isFace[facet] = 1;
     }
     for (std::size_t facet = 0; facet < isFace.size(); ++facet)
     {

@@ -29,15 +29,9 @@ template <int D>
 std::vector<int> CountFaces(const carving::Decomposition<D>& mesh)
 {
   std::vector<int> counts(mesh.Surface.Facets.size(), 0);
-  for (const auto& facets : mesh.Constraints)
+  for (const int facet : mesh.Constraints.OfFaces)
   {
-    for (const int facet : facets)
-    {
-      if (facet >= 0)
-      {
-        ++counts[facet];
-      }
-    }
+    ++counts[facet];
   }
   return counts;
 }

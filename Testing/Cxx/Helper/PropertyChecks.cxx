@@ -114,7 +114,7 @@ void ExpectInput(const Carved& carved, const Level<3>& level)
   {
     for (int f = 0; f < 4; ++f)
     {
-      const int constraint = carved.Mesh.Constraints[cell][f];
+      const int constraint = carved.Mesh.Constraints.Get(cell, f);
       const bool outside = carved.Mesh.Neighbors[cell][f] < 0;
       if (constraint >= 0 &&
         (outside || carved.Regions.Kind(static_cast<int>(cell)) != RegionKind::Solid))

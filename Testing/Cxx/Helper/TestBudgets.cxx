@@ -111,7 +111,7 @@ void ExpectNothingMoreToCarve(
     bool adjoins = false;
     for (int f = 0; f < 4; ++f)
     {
-      adjoins = adjoins || (mesh.Constraints[cell][f] < 0 && isCarved(mesh.Neighbors[cell][f]));
+      adjoins = adjoins || (!mesh.Constraints.Has(cell, f) && isCarved(mesh.Neighbors[cell][f]));
     }
     if (!carvable || !adjoins)
     {

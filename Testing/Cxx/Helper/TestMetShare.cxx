@@ -31,16 +31,16 @@ TEST(MetShare, MeasuresTheKeptDistances)
   const std::vector<Point>& points = result.Surface.Points;
   std::vector<std::pair<double, double>> samples; // distance and area
   double area = 0.0, sum = 0.0;
-  for (std::size_t cell = 0; cell < result.Cells.size(); ++cell)
+  for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
   {
     for (int f = 0; f < 4 && result.Kept[cell]; ++f)
     {
       const int other = result.Neighbors[cell][f];
-      if ((other >= 0 && result.Kept[other]) || result.Constraints[cell][f] >= 0)
+      if ((other >= 0 && result.Kept[other]) || result.Constraints.Has(cell, f))
       {
         continue;
       }
-      const auto [a, b, c] = result.OutwardFace(static_cast<int>(cell), f);
+      const auto [a, b, c] = result.OutwardFace(cell, f);
       const Point u = points[b] - points[a], v = points[c] - points[a];
       constexpr int rows = 24;
       for (int i = 0; i < rows; ++i)

@@ -30,13 +30,13 @@ void ExpectExact(const Tetrahedralization& mesh)
 {
   const auto at = [&](int i) { return ToInexact(mesh.Surface.Points[i]); };
   std::vector<char> found(mesh.Surface.Facets.size(), 0);
-  for (std::size_t i = 0; i < mesh.Cells.size(); ++i)
+  for (int i = 0; i < static_cast<int>(mesh.Cells.size()); ++i)
   {
     const auto& [a, b, c, d] = mesh.Cells[i];
     EXPECT_EQ(CGAL::orientation(at(a), at(b), at(c), at(d)), CGAL::POSITIVE);
     for (int f = 0; f < 4; ++f)
     {
-      Triangle face = mesh.OutwardFace(static_cast<int>(i), f);
+      Triangle face = mesh.OutwardFace(i, f);
       std::sort(face.begin(), face.end());
       const int neighbor = mesh.Neighbors[i][f];
       for (const int corner : face)
@@ -44,12 +44,12 @@ void ExpectExact(const Tetrahedralization& mesh)
         EXPECT_TRUE(neighbor < 0 ||
           std::count(mesh.Cells[neighbor].begin(), mesh.Cells[neighbor].end(), corner) == 1);
       }
-      if (mesh.Constraints[i][f] >= 0)
+      if (const int constraint = mesh.Constraints.Get(i, f); constraint >= 0)
       {
-        Triangle facet = mesh.Surface.Facets[mesh.Constraints[i][f]];
+        Triangle facet = mesh.Surface.Facets[constraint];
         std::sort(facet.begin(), facet.end());
         EXPECT_EQ(face, facet);
-        found[mesh.Constraints[i][f]] = 1;
+        found[constraint] = 1;
       }
     }
   }

@@ -2,12 +2,13 @@
 #include "Core/Carving/Carver.h"
 
 #include "Core/Budget/Budget.h"
+#include "Core/Carving/CarvableCells.h"
 #include "Core/Mesh/Fetch.h"
 #include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <memory>
 #include <queue>
 #include <utility>
@@ -17,24 +18,10 @@ namespace carving
 namespace
 {
 
-constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-
 bool IsToBeCarved(RegionKind kind, const CarveOptions& options)
 {
   return kind == RegionKind::Outside || (kind == RegionKind::Void && options.CarveVoids);
 }
-
-/** The data of a cell, in one place: carving accesses cells in random order. */
-template <int D>
-struct State
-{
-  typename Decomposition<D>::Cell
-    Next; ///< per face: the neighbor that carving this cell exposes, or -1
-  int Step = Stream::Never;
-  int Degree = 0;
-  double Priority; ///< the measure alone until the cell becomes carvable, then equation (2)
-  double Depth = 0.0;
-};
 
 template <int D>
 class Carver
@@ -44,9 +31,9 @@ public:
     Stream& stream)
     : Mesh(mesh)
     , Options(options)
+    , Cells(mesh, options)
     , Out(stream)
   {
-    this->PrepareCells();
     const int numberOfCells = static_cast<int>(mesh.Cells.size());
     std::vector<Candidate> candidates;
     ReserveAtMost(candidates, numberOfCells);
@@ -65,26 +52,27 @@ public:
       if (kind == RegionKind::Void)
       {
         Candidate& seed = seeds[regions.RegionOfCell[cell]];
-        seed = std::max(seed, { this->ComputePriority(cell, this->ComputeDepth(cell, 1.0)), cell });
+        seed = std::max(seed, { this->Cells.ComputePriority(cell, 1), cell });
         continue;
       }
       for (int f = 0; f <= D; ++f)
       {
         if (mesh.Neighbors[cell][f] < 0 && !mesh.Constraints.Has(cell, f))
         {
-          this->Expose(cell, 1.0);
+          this->Expose(cell, 1);
         }
       }
     }
     ReserveAtMost(this->Out.StepPriority, this->NumberToCarve + 1);
-    this->Out.StepPriority.assign(1, NaN);
+    this->Out.StepPriority.assign(1, std::numeric_limits<double>::quiet_NaN());
     for (const Candidate& seed : seeds)
     {
       if (seed.Cell >= 0)
       {
-        this->Expose(seed.Cell, 1.0);
+        this->Expose(seed.Cell, 1);
       }
     }
+    this->QueueExposed();
     if (HasLimits(options.Budget))
     {
       this->Limits = std::make_unique<Budget<D>>(mesh, states, options.Budget);
@@ -117,51 +105,14 @@ public:
         this->CascadeExposed(step, taken);
       }
       this->Requeued.clear();
+      this->QueueExposed();
       carved += static_cast<int>(taken.size());
     }
-    this->Write();
+    this->Cells.Write(this->Out);
     return GoOn(progress, 1.0);
   }
 
 private:
-  void PrepareCells()
-  {
-    const std::vector<double> measure =
-      ComputePriorities(this->Mesh, this->Options.Measure, this->Options.Threads);
-    this->Cells = MakeLarge<State<D>>(measure.size());
-    for (int cell = 0; cell < static_cast<int>(this->Cells.size()); ++cell)
-    {
-      State<D>& state = this->Cells[cell];
-      state.Priority = measure[cell];
-      for (int f = 0; f <= D; ++f)
-      {
-        const int neighbor = this->Mesh.Neighbors[cell][f];
-        const bool open =
-          neighbor >= 0 && !this->Mesh.Constraints.Has(cell, f) && !this->Mesh.IsKept(neighbor);
-        state.Next[f] = open ? neighbor : -1;
-      }
-    }
-  }
-
-  /** Cells that stay have neither a priority nor a depth. */
-  void Write()
-  {
-    const std::size_t count = this->Cells.size();
-    this->Out.Step = MakeLarge<int>(count);
-    this->Out.Priority = MakeLarge<double>(count, NaN);
-    this->Out.Depth = MakeLarge<double>(count);
-    for (std::size_t cell = 0; cell < count; ++cell)
-    {
-      const State<D>& state = this->Cells[cell];
-      this->Out.Step[cell] = state.Step;
-      if (state.Step != Stream::Never)
-      {
-        this->Out.Priority[cell] = state.Priority;
-        this->Out.Depth[cell] = state.Depth;
-      }
-    }
-  }
-
   /** Prefetches a cell that will be needed soon. */
   void Fetch(int cell) const
   {
@@ -180,34 +131,26 @@ private:
     }
   }
 
-  /** The given depth, or the level in the hierarchy. */
-  double ComputeDepth(int cell, double hierarchical) const
+  /** Counts an exterior face of a cell, which becomes carvable with its first one. */
+  void Expose(int cell, int level)
   {
-    return this->Options.Depths.empty() ? hierarchical : this->Options.Depths[cell];
+    if (this->Cells.Expose(cell, level))
+    {
+      this->Exposed.push_back(cell);
+    }
   }
 
-  /** Equation (2). Finite even if the power is not; 0 for a measure of 0. */
-  double ComputePriority(int cell, double depth) const
+  /** Queues the cells that have become carvable, unless the same step has carved them. */
+  void QueueExposed()
   {
-    const double measure = this->Cells[cell].Priority;
-    const double exponent = this->Options.DepthExponent;
-    if (exponent == 0.0 || measure == 0.0)
+    for (const int cell : this->Exposed)
     {
-      return measure; // never 0 times a power, which may be infinite
+      if (!this->Cells[cell].IsCarved())
+      {
+        this->Queue.push({ this->Cells[cell].Priority, cell });
+      }
     }
-    return std::min(measure * std::pow(depth, -exponent), std::numeric_limits<double>::max());
-  }
-
-  /** Increments the degree of a cell, which becomes carvable with its first exterior face. */
-  void Expose(int cell, double hierarchicalDepth)
-  {
-    State<D>& state = this->Cells[cell];
-    if (++state.Degree == 1)
-    {
-      state.Depth = this->ComputeDepth(cell, hierarchicalDepth);
-      state.Priority = this->ComputePriority(cell, state.Depth);
-      this->Queue.push({ state.Priority, cell });
-    }
+    this->Exposed.clear();
   }
 
   /** The carvable cell with the highest priority, from the queue or from the deferred cells. */
@@ -231,7 +174,7 @@ private:
       this->FetchTop();
       // The other entries are out of date: their cells have been carved in another's step, or
       // deferred.
-      if (this->Cells[next.Cell].Step == Stream::Never && !this->IsDeferred(next.Cell))
+      if (!this->Cells[next.Cell].IsCarved() && !this->IsDeferred(next.Cell))
       {
         return true;
       }
@@ -250,7 +193,7 @@ private:
     {
       return false;
     }
-    this->Cells[cell].Step = step;
+    this->Cells[cell].Step = static_cast<unsigned>(step);
     return true;
   }
 
@@ -275,7 +218,7 @@ private:
   {
     for (const int neighbor : this->Cells[cell].Next)
     {
-      if (neighbor >= 0 && this->Cells[neighbor].Step == Stream::Never)
+      if (neighbor >= 0 && !this->Cells[neighbor].IsCarved())
       {
         visit(neighbor);
       }
@@ -298,7 +241,7 @@ private:
       this->ForEachCarvableNeighbor(taken[i],
         [&](int neighbor)
         {
-          this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
+          this->Expose(neighbor, this->Cells[taken[i]].Level + 1);
           if (radius > 0.0 && Length(this->Mesh.Centroid(neighbor) - center) <= radius &&
             this->Take(neighbor, step))
           {
@@ -322,7 +265,7 @@ private:
         {
           if (i >= walked) // the breadth walk has counted the faces of its neighbors
           {
-            this->Expose(neighbor, this->Cells[taken[i]].Depth + 1.0);
+            this->Expose(neighbor, this->Cells[taken[i]].Level + 1);
           }
           if (this->Cells[neighbor].Degree > 1 && this->Take(neighbor, step))
           {
@@ -333,8 +276,8 @@ private:
       for (std::size_t j = 0; j < this->Requeued.size(); ++j)
       {
         const int cell = this->Requeued[j];
-        const State<D>& state = this->Cells[cell];
-        if (state.Step == Stream::Never && !this->IsDeferred(cell) && state.Degree > 1 &&
+        const auto& state = this->Cells[cell];
+        if (!state.IsCarved() && !this->IsDeferred(cell) && state.Degree > 1 &&
           this->Take(cell, step))
         {
           taken.push_back(cell);
@@ -346,9 +289,10 @@ private:
 
   const Decomposition<D>& Mesh;
   const CarveOptions& Options;
+  CarvableCells<D> Cells;
   Stream& Out;
-  std::vector<State<D>> Cells;
   std::priority_queue<Candidate> Queue;
+  std::vector<int> Exposed;          ///< cells that have become carvable in this step
   std::unique_ptr<Budget<D>> Limits; ///< null without a budget
   std::vector<int> Requeued;         ///< deferred cells that returned to the queue in this step
   int NumberToCarve = 0;

@@ -194,10 +194,12 @@ std::string WriteJob(const carving::Job& job, const TemporaryFile& file)
 }
 
 /** Reads the reply. Returns an empty string, or an error. */
-std::string ReadReply(const TemporaryFile& file, const std::string& program, carving::Reply& reply)
+std::string ReadReply(
+  const TemporaryFile& file, const std::string& program, int threads, carving::Reply& reply)
 {
   std::string error;
-  file.Read([&](const char* data, std::size_t size) { error = carving::Read(data, size, reply); });
+  file.Read(
+    [&](const char* data, std::size_t size) { error = carving::Read(data, size, reply, threads); });
   return error.empty() ? reply.Error
                        : "The reply of " + program + " cannot be used: " + error +
       ". Make sure that it was built together with this library.";
@@ -221,6 +223,7 @@ public:
   /** Returns an empty string, or an error. */
   std::string Start(const carving::Job& job)
   {
+    this->Threads = job.Processes;
     const std::string error = this->Job.IsOpen() && this->Reply.IsOpen()
       ? WriteJob(job, this->Job)
       : "No file could be opened in " + TemporaryFile::GetPlace() + ": " + std::strerror(errno);
@@ -255,12 +258,13 @@ public:
       }
     }
     error = DescribeEnd(this->Process.get(), this->Words);
-    error = error.empty() ? ReadReply(this->Reply, this->Path, reply) : error;
+    error = error.empty() ? ReadReply(this->Reply, this->Path, this->Threads, reply) : error;
     return error.empty() ? Outcome::Success : Outcome::Failure;
   }
 
 private:
   const std::string Path;
+  int Threads = 1;
   Listener Words;
   const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> Process{ vtksysProcess_New(),
     vtksysProcess_Delete };

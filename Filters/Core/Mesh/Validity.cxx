@@ -2,6 +2,7 @@
 #include "Core/Mesh/Validity.h"
 
 #include "Core/Mesh/Fetch.h"
+#include "Core/Mesh/ForEach.h"
 
 #include <algorithm>
 #include <bitset>
@@ -95,7 +96,7 @@ int FindOpposite(const std::array<int, D + 1>& cell, const std::array<int, D>& f
 template <int D>
 bool IsConsistent(const FaceConstraints<D>& constraints)
 {
-  constexpr std::uint32_t facesOfCell = (1u << (D + 1)) - 1;
+  constexpr std::uint32_t allFaces = D == 3 ? 0xffffffffu : 0x77777777u;
   if (constraints.NumberOfCells < 0 ||
     constraints.Blocks.size() != (static_cast<std::size_t>(constraints.NumberOfCells) + 7) / 8)
   {
@@ -105,21 +106,54 @@ bool IsConsistent(const FaceConstraints<D>& constraints)
   for (std::size_t block = 0; block < constraints.Blocks.size(); ++block)
   {
     const auto [faces, before] = constraints.Blocks[block];
-    if (before < 0 || static_cast<std::size_t>(before) != count)
+    const int cells = constraints.NumberOfCells - static_cast<int>(8 * block);
+    const std::uint32_t present = cells < 8 ? (std::uint32_t{ 1 } << (4 * cells)) - 1 : allFaces;
+    if (before < 0 || static_cast<std::size_t>(before) != count ||
+      (faces & ~(allFaces & present)) != 0)
     {
       return false;
-    }
-    for (int i = 0; i < 8; ++i)
-    {
-      const bool isCell = static_cast<int>(8 * block) + i < constraints.NumberOfCells;
-      if ((faces >> (4 * i) & 15u & ~(isCell ? facesOfCell : 0u)) != 0)
-      {
-        return false;
-      }
     }
     count += std::bitset<32>(faces).count();
   }
   return count == constraints.OfFaces.size();
+}
+
+/** The faces between cells that have been compared. */
+struct ComparedFaces
+{
+  int FromBelow = 0; ///< faces of the cells with the lower indices
+  int FromAbove = 0; ///< faces of the cells with the higher indices
+  bool Agree = true;
+};
+
+/** Compares the faces of a range of cells with those of their neighbors of higher index. */
+template <int D>
+ComparedFaces CompareFaces(const Decomposition<D>& mesh, int first, int last)
+{
+  ComparedFaces result;
+  for (int cell = first; cell < last; ++cell)
+  {
+    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors);
+    for (int f = 0; f <= D; ++f)
+    {
+      const int neighbor = mesh.Neighbors[cell][f];
+      if (neighbor <= cell)
+      {
+        result.Agree &= neighbor != cell;
+        result.FromAbove += neighbor >= 0;
+        continue;
+      }
+      ++result.FromBelow;
+      const int g = FindOpposite<D>(mesh.Cells[neighbor], mesh.OutwardFace(cell, f));
+      if (g < 0 || mesh.Neighbors[neighbor][g] != cell ||
+        mesh.Constraints.Get(neighbor, g) != mesh.Constraints.Get(cell, f))
+      {
+        result.Agree = false;
+        return result;
+      }
+    }
+  }
+  return result;
 }
 
 /**
@@ -130,35 +164,25 @@ bool IsConsistent(const FaceConstraints<D>& constraints)
  * compared.
  */
 template <int D>
-bool NeighborsAgree(const Decomposition<D>& mesh)
+bool NeighborsAgree(const Decomposition<D>& mesh, int threads)
 {
-  const int numberOfCells = static_cast<int>(mesh.Cells.size());
-  int fromBelow = 0, fromAbove = 0;
-  for (int cell = 0; cell < numberOfCells; ++cell)
-  {
-    FetchAhead(mesh, cell, mesh.Cells, mesh.Neighbors);
-    for (int f = 0; f <= D; ++f)
+  const long long numberOfCells = static_cast<long long>(mesh.Cells.size());
+  std::vector<ComparedFaces> parts(std::max(threads, 1));
+  ForEach(threads, static_cast<int>(parts.size()),
+    [&](int i)
     {
-      const int neighbor = mesh.Neighbors[cell][f];
-      if (neighbor <= cell)
-      {
-        if (neighbor == cell)
-        {
-          return false;
-        }
-        fromAbove += neighbor >= 0;
-        continue;
-      }
-      ++fromBelow;
-      const int g = FindOpposite<D>(mesh.Cells[neighbor], mesh.OutwardFace(cell, f));
-      if (g < 0 || mesh.Neighbors[neighbor][g] != cell ||
-        mesh.Constraints.Get(neighbor, g) != mesh.Constraints.Get(cell, f))
-      {
-        return false;
-      }
-    }
+      const auto begin = [&](int part)
+      { return static_cast<int>(part * numberOfCells / static_cast<int>(parts.size())); };
+      parts[i] = CompareFaces(mesh, begin(i), begin(i + 1));
+    });
+  ComparedFaces all;
+  for (const ComparedFaces& part : parts)
+  {
+    all.FromBelow += part.FromBelow;
+    all.FromAbove += part.FromAbove;
+    all.Agree &= part.Agree;
   }
-  return fromBelow == fromAbove;
+  return all.Agree && all.FromBelow == all.FromAbove;
 }
 
 /**
@@ -220,7 +244,7 @@ bool FacetsAreFaces(const Decomposition<D>& mesh, const std::vector<std::array<i
 
 template <int D>
 std::string FindMistake(
-  const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides)
+  const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides, int threads)
 {
   for (const ResolvedInput<D>* input : { &mesh.Surface, &mesh.Unresolved })
   {
@@ -259,7 +283,7 @@ std::string FindMistake(
   {
     return "a cell has a corner twice";
   }
-  if (!NeighborsAgree(mesh))
+  if (!NeighborsAgree(mesh, threads))
   {
     return "neighboring tetrahedra disagree about their common face";
   }
@@ -271,8 +295,8 @@ std::string FindMistake(
 }
 
 template std::string FindMistake<2>(
-  const Decomposition<2>&, const std::vector<std::array<int, 2>>&);
+  const Decomposition<2>&, const std::vector<std::array<int, 2>>&, int);
 template std::string FindMistake<3>(
-  const Decomposition<3>&, const std::vector<std::array<int, 2>>&);
+  const Decomposition<3>&, const std::vector<std::array<int, 2>>&, int);
 
 } // namespace carving

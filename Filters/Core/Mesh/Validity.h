@@ -64,11 +64,11 @@ bool CornersDiffer(const Tuples& tuples)
  * indices, the agreement of neighbors, cells and facets, and that coordinates are finite. Does not
  * check whether cells overlap in space. `solidSides` has, per facet of M, behind it and in front of
  * it, a negative number or one that stands for cells of the solid that the mesh lacks; it is empty
- * if the mesh has all cells.
+ * if the mesh has all cells. The result does not depend on `threads`.
  */
 template <int D>
-std::string FindMistake(
-  const Decomposition<D>& mesh, const std::vector<std::array<int, 2>>& solidSides = {});
+std::string FindMistake(const Decomposition<D>& mesh,
+  const std::vector<std::array<int, 2>>& solidSides = {}, int threads = 1);
 
 } // namespace carving
 

@@ -325,7 +325,7 @@ void Write(std::ostream& out, const Reply& reply)
   VisitReply(writer, reply);
 }
 
-std::string Read(const char* data, std::size_t size, Reply& reply)
+std::string Read(const char* data, std::size_t size, Reply& reply, int threads)
 {
   Reader reader(data, size);
   if (!reader.Magic(ReplyMagic))
@@ -338,7 +338,8 @@ std::string Read(const char* data, std::size_t size, Reply& reply)
     return "the reply is incomplete";
   }
   std::string mistake = FindMistake(reply.Decimation);
-  mistake = mistake.empty() ? FindMistake(reply.Result, reply.Regions.SolidRegions) : mistake;
+  mistake =
+    mistake.empty() ? FindMistake(reply.Result, reply.Regions.SolidRegions, threads) : mistake;
   mistake = mistake.empty() ? FindMistake(reply.Regions, reply.Result) : mistake;
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }

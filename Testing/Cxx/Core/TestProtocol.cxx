@@ -43,10 +43,10 @@ std::string Written(const Message& message)
   return out.str();
 }
 
-std::string ReadReply(const std::string& bytes)
+std::string ReadReply(const std::string& bytes, int threads = 1)
 {
   Reply reply;
-  return Read(bytes.data(), bytes.size(), reply);
+  return Read(bytes.data(), bytes.size(), reply, threads);
 }
 
 } // namespace
@@ -243,15 +243,25 @@ TEST(Protocol, RejectsIndicesOutOfRange)
   }
 }
 
-// Neighbors that do not agree about their common face are rejected.
+// Neighbors that do not agree about their common face are rejected, whatever the number of threads.
 TEST(Protocol, RejectsNeighborsThatDisagree)
 {
-  Reply reply = MakeReply();
-  for (int& neighbor : reply.Result.Neighbors[12])
+  for (std::size_t cell = 0; cell < MakeReply().Result.Cells.size(); ++cell)
   {
-    neighbor = -1;
+    Reply reply = MakeReply();
+    for (const int threads : { 0, 1, 2, 3, 50 })
+    {
+      EXPECT_EQ(ReadReply(Written(reply), threads), "");
+    }
+    for (int& neighbor : reply.Result.Neighbors[cell])
+    {
+      neighbor = -1;
+    }
+    for (const int threads : { 0, 1, 2, 3, 50 })
+    {
+      EXPECT_NE(ReadReply(Written(reply), threads), "") << cell;
+    }
   }
-  EXPECT_NE(ReadReply(Written(reply)), "");
 }
 
 // Cells, facets, coordinates and counts that cannot be are rejected, each with words of its own.

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Protocol/Protocol.h"
 
-#include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Validity.h"
+#include "Core/Protocol/Archive.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <ostream>
-#include <type_traits>
 
 namespace carving
 {
@@ -20,105 +17,7 @@ namespace
 constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'F' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'D' };
 
-class Writer
-{
-public:
-  Writer(std::ostream& out, const char (&magic)[8])
-    : Out(out)
-  {
-    this->Out.write(magic, sizeof(magic));
-  }
-
-  template <class T>
-  void Value(const T& value)
-  {
-    static_assert(std::is_trivially_copyable<T>::value, "raw bytes are written");
-    this->Out.write(reinterpret_cast<const char*>(&value), sizeof(T));
-  }
-
-  template <class Container>
-  void Array(const Container& values)
-  {
-    static_assert(
-      std::is_trivially_copyable<typename Container::value_type>::value, "raw bytes are written");
-    this->Value(static_cast<std::uint64_t>(values.size()));
-    this->Out.write(reinterpret_cast<const char*>(values.data()),
-      static_cast<std::streamsize>(values.size() * sizeof(typename Container::value_type)));
-  }
-
-private:
-  std::ostream& Out;
-};
-
-/** Never reads past the end. After a failure, all values that it reads are empty. */
-class Reader
-{
-public:
-  Reader(const char* data, std::size_t size)
-    : At(data)
-    , Left(size)
-  {
-  }
-
-  bool Magic(const char (&magic)[8])
-  {
-    char found[8] = {};
-    this->Value(found);
-    return this->Good && std::memcmp(found, magic, sizeof(found)) == 0;
-  }
-
-  template <class T>
-  void Value(T& value)
-  {
-    if (this->Take(sizeof(T)))
-    {
-      std::memcpy(&value, this->At - sizeof(T), sizeof(T));
-    }
-  }
-
-  template <class Container>
-  void Array(Container& values)
-  {
-    using T = typename Container::value_type;
-    std::uint64_t count = 0;
-    this->Value(count);
-    values.clear();
-    if (count <= this->Left / sizeof(T) && this->Take(count * sizeof(T)) && count > 0)
-    {
-      ReserveLarge(values, count);
-      values.resize(count);
-      std::memcpy(&values[0], this->At - count * sizeof(T), count * sizeof(T));
-    }
-    else if (count > 0)
-    {
-      this->Good = false;
-    }
-  }
-
-  /** Whether all data were read and none remain. */
-  bool Complete() const
-  {
-    return this->Good && this->Left == 0;
-  }
-
-private:
-  bool Take(std::size_t bytes)
-  {
-    this->Good = this->Good && bytes <= this->Left;
-    if (this->Good)
-    {
-      this->At += bytes;
-      this->Left -= bytes;
-    }
-    return this->Good;
-  }
-
-  const char* At;
-  std::size_t Left;
-  bool Good = true;
-};
-
-/** Visits the fields of a job in order. An archive is a Writer or a Reader. */
+/** Visits the fields of a job in order. An archive is an ArchiveWriter or an ArchiveReader. */
 template <class Archive, class JobType>
 void VisitJob(Archive& archive, JobType& job)
 {
@@ -255,13 +154,13 @@ const char* StageName(Stage stage)
 
 void Write(std::ostream& out, const Job& job)
 {
-  Writer writer(out, JobMagic);
+  ArchiveWriter writer(out, JobMagic);
   VisitJob(writer, job);
 }
 
 std::string Read(const char* data, std::size_t size, Job& job)
 {
-  Reader reader(data, size);
+  ArchiveReader reader(data, size);
   if (!reader.Magic(JobMagic))
   {
     return "this is not a job of this version of the program";
@@ -321,13 +220,13 @@ std::string Read(const char* data, std::size_t size, Job& job)
 
 void Write(std::ostream& out, const Reply& reply)
 {
-  Writer writer(out, ReplyMagic);
+  ArchiveWriter writer(out, ReplyMagic);
   VisitReply(writer, reply);
 }
 
 std::string Read(const char* data, std::size_t size, Reply& reply, int threads)
 {
-  Reader reader(data, size);
+  ArchiveReader reader(data, size);
   if (!reader.Magic(ReplyMagic))
   {
     return "this is not a reply of this version of the helper program";

@@ -216,8 +216,8 @@ void Write(std::ostream& out, const Reply& reply);
 /**
  * Reads the output of Write. Returns an empty string, or the mistake in the data: a foreign format,
  * another version, an early end, or an impossible number (an index out of range, say). Accepted
- * data satisfy all contracts that the other parts of the core rely on. The result does not depend on
- * `threads`.
+ * data satisfy all contracts that the other parts of the core rely on. The number of threads does
+ * not change the result.
  */
 std::string Read(const char* data, std::size_t size, Job& job);
 std::string Read(const char* data, std::size_t size, Reply& reply, int threads = 1);

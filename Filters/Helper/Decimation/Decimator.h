@@ -79,6 +79,9 @@ public:
   }
 
 private:
+  /** The shares of a way inward that are tried in turn: near its end, roundings decide. */
+  static constexpr double Shares[] = { 1.0, 0.98, 0.7, 0.0 };
+
   /** A vertex that has been tightened since the last collapse. */
   struct Move
   {

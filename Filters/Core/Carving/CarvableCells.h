@@ -25,12 +25,12 @@ public:
   /** The data of a cell, in one line of the cache: carving accesses cells in random order. */
   struct alignas(32) State
   {
-    typename Decomposition<D>::Cell
-      Next;              ///< per face: the neighbor that carving this cell exposes, or -1
-    unsigned Step : 29;  ///< in which the cell was carved, or 0; at most MaximumCells
-    unsigned Degree : 3; ///< the number of exterior faces
-    int Level = 0;       ///< in the hierarchy of carvable cells (section 5.3), from 1 on
-    double Priority;     ///< the measure alone until the cell becomes carvable, then equation (2)
+    /** Per face: the neighbor that carving this cell exposes, or -1. */
+    typename Decomposition<D>::Cell Next = {};
+    unsigned Step : 29;    ///< in which the cell was carved, or 0; at most MaximumCells
+    unsigned Degree : 3;   ///< the number of exterior faces
+    int Level = 0;         ///< in the hierarchy of carvable cells (section 5.3), from 1 on
+    double Priority = 0.0; ///< the measure until the cell becomes carvable, then equation (2)
 
     State()
       : Step(0)

@@ -15,9 +15,10 @@
 class vtkUnstructuredGrid;
 
 /**
- * Reads all that levels need. `simplified` stays empty unless the grid has simplified levels, and
- * so do members of `Mesh.Surface` that only resolving uses. Returns an empty string, or the first
- * reason why the grid is not an unchanged stream.
+ * Reads all that levels need. Other members of the stream stay empty: the priorities, the depths,
+ * the regions, and members of `Mesh.Surface` that only resolving uses. `simplified` stays empty
+ * unless the grid has simplified levels. Returns an empty string, or the first reason why the grid
+ * is not an unchanged stream.
  */
 template <int D>
 std::string ReadStream(vtkUnstructuredGrid* grid, carving::StoredStream<D>& stream,

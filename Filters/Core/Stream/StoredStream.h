@@ -43,6 +43,8 @@ struct HalfFace
 
 /**
  * The complement with the order in which it is carved, and the sides of M on which the solid lies.
+ * The priorities, the depths and the regions are empty once they have been written, and in a stream
+ * that was read: levels do not need them.
  */
 template <int D>
 struct StoredStream

@@ -25,9 +25,9 @@ enum class RegionKind
 enum class SolidRule : int
 {
   /**
-   * Regions with a winding number of at least one half in magnitude. For a closed M, the numbers
-   * follow from counting crossings on paths from the outside. For an open M, and in enclosing mode,
-   * they are sums of solid angles at the centroid of the region's largest tetrahedron.
+   * Regions with a winding number of at least one half in magnitude. Closed parts of M count by
+   * their crossings on a path from the outside. Open parts, and all parts in enclosing mode, count
+   * by the sum of their solid angles at the centroid of the region's largest tetrahedron.
    */
   NonzeroWinding = 0,
   /**
@@ -73,8 +73,8 @@ struct Classification
 
 /**
  * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A
- * region that is connected to the outside is never solid. The winding numbers of an open M are
- * measured by several threads.
+ * region that is connected to the outside is never solid. The solid angles are measured by
+ * several threads.
  */
 template <int D>
 Classification Classify(

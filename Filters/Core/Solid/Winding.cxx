@@ -2,13 +2,60 @@
 #include "Core/Solid/Winding.h"
 
 #include "Core/Mesh/Buckets.h"
+#include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace carving
 {
+namespace
+{
+
+/** A side of a facet: an edge of a triangle, or an end of an edge of contours. */
+struct Side
+{
+  int Other; ///< the greater point of a triangle's edge; 0 for an end
+  int Count; ///< how often the side is traversed towards it, or ends there, less the opposite
+  int Facet;
+};
+
+/** The sides of all contours by their points. */
+Buckets<Side> CollectSides(const ResolvedInput<2>& contours)
+{
+  return Buckets<Side>(contours.Points.size(),
+    [&contours](auto&& visit)
+    {
+      for (int e = 0; e < static_cast<int>(contours.Facets.size()); ++e)
+      {
+        if (const int count = contours.SignedMultiplicities[e])
+        {
+          visit(contours.Facets[e][0], Side{ 0, -count, e });
+          visit(contours.Facets[e][1], Side{ 0, count, e });
+        }
+      }
+    });
+}
+
+/** The sides of all triangles by their lesser points. */
+Buckets<Side> CollectSides(const ResolvedMesh& mesh)
+{
+  return Buckets<Side>(mesh.Points.size(),
+    [&mesh](auto&& visit)
+    {
+      for (int t = 0; t < static_cast<int>(mesh.Facets.size()); ++t)
+      {
+        const int count = mesh.SignedMultiplicities[t];
+        for (int i = 0; i < 3 && count != 0; ++i)
+        {
+          const int a = mesh.Facets[t][i], b = mesh.Facets[t][(i + 1) % 3];
+          visit(std::min(a, b), Side{ std::max(a, b), a < b ? count : -count, t });
+        }
+      }
+    });
+}
+
+} // namespace
 
 double SolidAngle(const ResolvedMesh& mesh, std::size_t triangle, const Point& point)
 {
@@ -73,53 +120,50 @@ int CountCrossings(const ResolvedMesh& mesh, const Point& point)
   return count;
 }
 
-bool IsClosed(const ResolvedInput<2>& contours)
+template <int D>
+std::vector<char> FindClosedParts(const ResolvedInput<D>& mesh)
 {
-  std::vector<int> sums(
-    contours.Points.size(), 0); // edges that end at a point, less those that begin
-  for (std::size_t e = 0; e < contours.Facets.size(); ++e)
+  Buckets<Side> sides = CollectSides(mesh);
+  DisjointSets parts(mesh.Facets.size());
+  std::vector<int> open; // facets with an open side
+  for (int point = 0; point < sides.GetNumberOfBuckets(); ++point)
   {
-    const auto& [from, to] = contours.Facets[e];
-    sums[from] -= contours.SignedMultiplicities[e];
-    sums[to] += contours.SignedMultiplicities[e];
+    const auto [first, last] = sides[point];
+    std::sort(first, last, [](const Side& a, const Side& b) { return a.Other < b.Other; });
+    for (auto begin = first, end = first; begin != last; begin = end)
+    {
+      int sum = 0;
+      for (; end != last && end->Other == begin->Other; ++end)
+      {
+        sum += end->Count;
+        parts.Unite(begin->Facet, end->Facet);
+      }
+      if (sum != 0)
+      {
+        open.push_back(begin->Facet);
+      }
+    }
   }
-  return std::all_of(sums.begin(), sums.end(), [](int sum) { return sum == 0; });
+  std::vector<char> isOpen(mesh.Facets.size(), 0); // per first facet of a part
+  for (const int facet : open)
+  {
+    isOpen[parts.Find(facet)] = 1;
+  }
+  std::vector<char> isClosed(mesh.Facets.size());
+  for (std::size_t facet = 0; facet < mesh.Facets.size(); ++facet)
+  {
+    isClosed[facet] = !isOpen[parts.Find(static_cast<int>(facet))];
+  }
+  return isClosed;
 }
 
-bool IsClosed(const ResolvedInput<3>& mesh)
+bool IsClosed(const ResolvedMesh& mesh)
 {
-  // Each edge of each triangle, by its lesser vertex: the greater one and how often the edge is
-  // traversed towards it, less the traversals back.
-  using Edge = std::pair<int, int>;
-  Buckets<Edge> edges(mesh.Points.size(),
-    [&mesh](auto&& visit)
-    {
-      for (std::size_t t = 0; t < mesh.Facets.size(); ++t)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          const int a = mesh.Facets[t][i], b = mesh.Facets[t][(i + 1) % 3];
-          const int count = mesh.SignedMultiplicities[t];
-          visit(std::min(a, b), Edge(std::max(a, b), a < b ? count : -count));
-        }
-      }
-    });
-  std::vector<int> sums(mesh.Points.size(), 0); // per greater vertex
-  for (int vertex = 0; vertex < edges.GetNumberOfBuckets(); ++vertex)
-  {
-    for (const auto& [other, count] : edges[vertex])
-    {
-      sums[other] += count;
-    }
-    for (const Edge& edge : edges[vertex])
-    {
-      if (sums[edge.first] != 0)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  const std::vector<char> isClosed = FindClosedParts(mesh);
+  return std::find(isClosed.begin(), isClosed.end(), 0) == isClosed.end();
 }
+
+template std::vector<char> FindClosedParts<2>(const ResolvedInput<2>&);
+template std::vector<char> FindClosedParts<3>(const ResolvedInput<3>&);
 
 } // namespace carving

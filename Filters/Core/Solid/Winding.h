@@ -9,6 +9,7 @@
 #include "Core/Mesh/Mesh.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace carving
 {
@@ -33,12 +34,17 @@ double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 int CountCrossings(const ResolvedMesh& mesh, const Point& point);
 
 /**
- * Whether the facets of M, counted with their signed multiplicities, traverse every edge (in the
- * plane, every vertex) as often in one direction as in the other. If so, the winding number is an
- * integer everywhere off M and changes across facets only.
+ * Whether each facet of M belongs to a closed part. A part consists of the facets that are joined
+ * across edges (in the plane, vertices), and is closed if they, counted with their signed
+ * multiplicities, traverse every edge (vertex) as often in one direction as in the other. The
+ * winding number of a closed part is an integer everywhere off this part and changes across its
+ * facets only. A facet whose signed multiplicity is 0 joins nothing, and is closed by itself.
  */
-bool IsClosed(const ResolvedInput<2>& contours);
-bool IsClosed(const ResolvedInput<3>& mesh);
+template <int D>
+std::vector<char> FindClosedParts(const ResolvedInput<D>& mesh);
+
+/** Whether M has closed parts only. */
+bool IsClosed(const ResolvedMesh& mesh);
 
 } // namespace carving
 

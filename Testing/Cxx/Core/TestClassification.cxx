@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/Classification.h"
+#include "Core/Solid/Winding.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +86,22 @@ TEST(Classification, RecordsThatItHadToGuess)
   const Classification result = Classify(small::NestedTetrahedra(faces));
   ASSERT_EQ(result.Regions.size(), 1u);
   EXPECT_TRUE(result.Regions[0].Guessed);
+}
+
+// A solid inside another one, with a triangle the wrong way round: the outer solid counts as 1, the
+// inner one as the sum of its solid angles.
+TEST(Classification, AddsOpenPartsToClosedOnes)
+{
+  std::vector<Triangle> inner = small::InnerFaces();
+  std::swap(inner[1][0], inner[1][1]);
+  const Tetrahedralization mesh =
+    small::NestedTetrahedra(small::Joined(small::OuterFaces(), inner));
+  const Classification result = Classify(mesh);
+  const Region& region = result.Regions[result.RegionOfCell[12]];
+  EXPECT_NEAR(region.Winding, WindingNumber(mesh.Surface, mesh.Centroid(12)), 0.02);
+  EXPECT_GT(region.Winding, 1.4); // an inner triangle takes about a quarter of the full angle
+  EXPECT_EQ(region.Kind, RegionKind::Solid);
+  EXPECT_TRUE(region.Guessed);
 }
 
 // By even-odd, shells within shells are solid and hollow by turns, whichever way they are oriented.

@@ -74,3 +74,42 @@ TEST(IsClosed, HoldsForATwoSidedSheet)
   sheet.SignedMultiplicities.assign(sheet.Facets.size(), 0);
   EXPECT_TRUE(IsClosed(sheet));
 }
+
+// Of a solid beside a sheet, the solid's facets are closed and the sheet's are not.
+TEST(FindClosedParts, TellsASolidFromASheet)
+{
+  const auto solid = models::Sphere(1);
+  const ResolvedMesh mesh =
+    Resolved(models::Joined(solid, models::Moved(models::Sheet(3), { 5, 0, 0 })));
+  std::vector<char> expected(mesh.Facets.size(), 0);
+  std::fill_n(expected.begin(), solid.Triangles.size(), 1);
+  EXPECT_EQ(FindClosedParts(mesh), expected);
+}
+
+// A leaf that grows out of a solid's edge belongs to the solid's part, which is then open. One that
+// touches the solid at a vertex does not.
+TEST(FindClosedParts, JoinsAcrossEdgesOnly)
+{
+  ResolvedMesh mesh = Resolved(models::Sphere(1));
+  const auto count = mesh.Facets.size();
+  const auto [a, b, c] = mesh.Facets[0];
+  mesh.Points.insert(mesh.Points.end(), { { 5, 0, 0 }, { 5, 1, 0 } });
+  const int added = static_cast<int>(mesh.Points.size()) - 2;
+  mesh.Facets.push_back({ a, added, added + 1 });
+  mesh.SignedMultiplicities.push_back(1);
+  std::vector<char> expected(count + 1, 1);
+  expected.back() = 0;
+  EXPECT_EQ(FindClosedParts(mesh), expected);
+  mesh.Facets.back() = { a, b, added };
+  EXPECT_EQ(FindClosedParts(mesh), std::vector<char>(count + 1, 0));
+}
+
+// In the plane, a ring is closed, and an arc is not.
+TEST(FindClosedParts, TellsARingFromAnArc)
+{
+  ResolvedInput<2> contours;
+  contours.Points.resize(6);
+  contours.Facets = { { 0, 1 }, { 1, 2 }, { 2, 0 }, { 3, 4 }, { 4, 5 } };
+  contours.SignedMultiplicities.assign(5, 1);
+  EXPECT_EQ(FindClosedParts(contours), (std::vector<char>{ 1, 1, 1, 0, 0 }));
+}

@@ -93,6 +93,39 @@ double CostOf(LevelTarget type, const BestTrial& choice)
 
 } // namespace
 
+void AddTarget(
+  std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step, double bound)
+{
+  auto trial = std::find_if(trials.begin(), trials.end(),
+    [&](const LevelTrial& other)
+    { return other.LastStep == target.LastStep && other.Step == step; });
+  if (trial == trials.end())
+  {
+    trials.emplace_back();
+    trial = trials.end() - 1;
+    trial->LastStep = target.LastStep;
+    trial->Step = step;
+  }
+  std::vector<TrialTarget>& all = trial->Targets;
+  const auto found = std::find_if(
+    all.begin(), all.end(), [&](const TrialTarget& other) { return other.Value == target.Value; });
+  if (found == all.end())
+  {
+    all.push_back({ target.Value, bound });
+    const bool byError = target.Type == LevelTarget::ErrorBound;
+    std::sort(all.begin(), all.end(),
+      [byError](const TrialTarget& a, const TrialTarget& b)
+      { return byError ? a.Value < b.Value : a.Value > b.Value; });
+  }
+}
+
+double CountVertices(const SimplifiedTarget& target)
+{
+  return target.Type == LevelTarget::Vertices ? target.Value
+    : target.Type == LevelTarget::Triangles   ? target.Value / 2.0
+                                              : 1.0;
+}
+
 int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surface)
 {
   return trial.Result.Chain.Vertices - surface.Collapses;

@@ -37,6 +37,13 @@ struct LevelTrial
   double LeastVertices = 0.0; ///< that the topology of the step's surface needs, in practice
 };
 
+/**
+ * Adds a target to the trial of a step, which is added if there is none. No collapse may make a face
+ * that is farther from M than `bound`.
+ */
+void AddTarget(std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int step,
+  double bound = HUGE_VAL);
+
 /** Drops targets of a trial before the trial runs. The predicate sees their values in order. */
 template <class Predicate>
 void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
@@ -67,6 +74,9 @@ struct BestTrial
   const LevelTrial* Trial = nullptr; ///< null if no trial has a surface for the target
   const carving::DecimatedSurface* Surface = nullptr;
 };
+
+/** The number of vertices that a target asks for; 1 for an error bound. */
+double CountVertices(const carving::SimplifiedTarget& target);
 
 /** The number of vertices of a surface that a trial has made. */
 int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surface);

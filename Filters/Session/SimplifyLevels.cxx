@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/SimplifyLevels.h"
 
+#include "Session/TighterTrials.h"
 #include "Session/TrialPlans.h"
 #include "Session/TrialRunner.h"
 
@@ -125,6 +126,8 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   constexpr int anyNumber = std::numeric_limits<int>::max();
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
+  const auto tighter = [&]
+  { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); };
   std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets); },
@@ -133,7 +136,8 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
     [&] { return between(anyNumber); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
     [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); },
+    tighter,
+    tighter,
   };
   if (TriesCoarseStepsFirst(targets))
   {

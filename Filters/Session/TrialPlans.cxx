@@ -37,33 +37,6 @@ int FindSimpleStep(const Profile& profile, int last, double parts)
   return step;
 }
 
-/** Adds a target to the trial of a step, which is added if there is none. */
-void AddTarget(std::vector<LevelTrial>& trials, const SimplifiedTarget& target, int step,
-  double bound = HUGE_VAL)
-{
-  auto trial = std::find_if(trials.begin(), trials.end(),
-    [&](const LevelTrial& other)
-    { return other.LastStep == target.LastStep && other.Step == step; });
-  if (trial == trials.end())
-  {
-    trials.emplace_back();
-    trial = trials.end() - 1;
-    trial->LastStep = target.LastStep;
-    trial->Step = step;
-  }
-  std::vector<TrialTarget>& all = trial->Targets;
-  const auto found = std::find_if(
-    all.begin(), all.end(), [&](const TrialTarget& other) { return other.Value == target.Value; });
-  if (found == all.end())
-  {
-    all.push_back({ target.Value, bound });
-    const bool byError = target.Type == LevelTarget::ErrorBound;
-    std::sort(all.begin(), all.end(),
-      [byError](const TrialTarget& a, const TrialTarget& b)
-      { return byError ? a.Value < b.Value : a.Value > b.Value; });
-  }
-}
-
 using TargetIterator = std::vector<SimplifiedTarget>::const_iterator;
 
 /** Adds the targets of a range that have this last step to the trial of `step`. */
@@ -83,14 +56,6 @@ void AddTargets(
 TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetIterator target)
 {
   return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();
-}
-
-/** The number of vertices that a target asks for; 1 for an error bound. */
-double CountVertices(const SimplifiedTarget& target)
-{
-  return target.Type == LevelTarget::Vertices ? target.Value
-    : target.Type == LevelTarget::Triangles   ? target.Value / 2.0
-                                              : 1.0;
 }
 
 /** The coarsest steps that are worth a trial for a target, from fine to coarse. */
@@ -195,19 +160,6 @@ std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<Leve
   return steps;
 }
 
-/**
- * Whether a trial of a step within a bound is worth its time. Hardly any gets to more than a
- * twentieth of the step's vertices if the surface without a bound is as close as that of a smooth
- * mesh.
- */
-bool IsWorthBound(const SimplifiedTarget& target, int vertices, double error, double diagonal)
-{
-  constexpr double greatestShare = 0.05;
-  const double count = CountVertices(target);
-  return vertices <= DecimationOptions::ManyVertices &&
-    (count <= greatestShare * vertices || count * error > MostOfSmooth * diagonal);
-}
-
 } // namespace
 
 bool TriesCoarseStepsFirst(const std::vector<SimplifiedTarget>& targets)
@@ -269,40 +221,6 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
       {
         // A coarser level may not come from a later step, so the coarser targets are tried as well.
         AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
-      }
-    }
-  }
-  return added;
-}
-
-std::vector<LevelTrial> PlanTighterTrials(const Profile& profile,
-  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
-  double diagonal)
-{
-  constexpr double similar = 0.85;
-  std::vector<LevelTrial> added;
-  for (const SimplifiedTarget& target : targets)
-  {
-    const std::vector<BestTrial> closest = RankTrials(trials, target);
-    if (target.Type == LevelTarget::ErrorBound || closest.empty() ||
-      !closest.front().Surface->Reached)
-    {
-      continue;
-    }
-    const double error = closest.front().Surface->Error;
-    for (std::size_t i = 0; i < closest.size(); ++i)
-    {
-      const auto& [trial, surface] = closest[i];
-      const int vertices = profile.Vertices[trial->Step];
-      const bool few = vertices <= DecimationOptions::FewVertices;
-      const std::size_t candidates = few                  ? 5
-        : IsWorthBound(target, vertices, error, diagonal) ? 3
-                                                          : 0;
-      // For less gain, the mean distance grows too much.
-      const double bound = (few ? 0.94 : 0.875) * error;
-      if (i < candidates && surface->Reached && similar * surface->Error <= error)
-      {
-        AddTarget(added, target, trial->Step, bound);
       }
     }
   }

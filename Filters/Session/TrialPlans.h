@@ -46,13 +46,4 @@ std::vector<LevelTrial> PlanTrialsBetween(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
   int mostVertices);
 
-/**
- * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
- * a little below the distances that have been reached. Not for steps with many vertices, which are
- * close to M and would take long, and not where the bound would hardly be met. `diagonal` is M's.
- */
-std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
-  double diagonal);
-
 #endif

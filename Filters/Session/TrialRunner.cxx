@@ -2,7 +2,6 @@
 #include "Session/TrialRunner.h"
 
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/Vector.h"
 #include "Core/Surface/LevelParts.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
@@ -14,8 +13,6 @@
 namespace
 {
 
-using carving::operator+;
-using carving::operator/;
 using carving::DecimationTarget;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
@@ -131,6 +128,7 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
     job.Surface.Points.push_back(stream.Mesh.Surface.Points[point]);
   }
   job.Decimation.Type = AsDecimationTarget(type);
+  job.Decimation.GivesUp = trial.Step > 0; // C0 is the last resort
   for (const TrialTarget& target : trial.Targets)
   {
     job.Decimation.Targets.push_back(target.Value);
@@ -156,20 +154,18 @@ bool TrialRunner::Finish(HelperProcess& process, double begin, double end, Level
   return outcome != HelperProcess::Outcome::Aborted;
 }
 
-/**
- * A lower bound of the distance of C_step from M, sought up to `enough`: the largest distance of a
- * face's centroid.
- */
+/** A lower bound of the distance of C_step from M, sought up to `enough`. */
 double TrialRunner::FindLeastError(int step, double enough) const
 {
+  constexpr int queries = 16; // per face: its farthest point is often on an edge
   double least = 0.0;
   const std::vector<carving::Point>& points = this->Stream.Mesh.Surface.Points;
   for (const carving::FaceLife<3>& face : carving::ExtractLevel(this->Stream, step).Faces)
   {
     if (face.Constraint < 0 && least <= enough)
     {
-      const auto& [a, b, c] = face.Corners;
-      least = std::max(least, this->Distance.OfPoint((points[a] + points[b] + points[c]) / 3.0));
+      const auto corners = carving::CornersOf<3>(points, face.Corners);
+      least = std::max(least, this->Distance.Compute(corners, queries, least).Lower);
     }
   }
   return least;

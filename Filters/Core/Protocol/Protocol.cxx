@@ -14,7 +14,7 @@ namespace
 {
 
 // Change the last character whenever the layout changes: host and helper must be of the same build.
-constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'F' };
+constexpr char JobMagic[8] = { 'C', 'A', 'R', 'V', 'J', 'O', 'B', 'G' };
 constexpr char ReplyMagic[8] = { 'C', 'A', 'R', 'V', 'R', 'E', 'P', 'D' };
 
 /** Visits the fields of a job in order. An archive is an ArchiveWriter or an ArchiveReader. */
@@ -47,6 +47,7 @@ void VisitJob(Archive& archive, JobType& job)
   archive.Value(job.Decimation.Type);
   archive.Array(job.Decimation.Targets);
   archive.Array(job.Decimation.Bounds);
+  archive.Value(job.Decimation.GivesUp);
   archive.Value(job.Decimation.Nested);
 }
 

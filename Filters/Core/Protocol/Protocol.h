@@ -64,6 +64,11 @@ struct DecimationOptions
    * closer they are in the end. A number is given up where the steps leave no hope for it.
    */
   std::vector<double> Bounds;
+  /**
+   * Gives up a number that is far from reach: no edge collapses well, and so few collapse otherwise
+   * that the rest would take far longer than all before.
+   */
+  int GivesUp = 0;
   /** Each result lies inside all coarser ones. Otherwise results are tighter. */
   int Nested = 0;
 };

@@ -67,6 +67,12 @@ public:
     return this->Surface;
   }
 
+  /** Whether edges also collapse into positions that fit less well. */
+  bool TriesAllPositions() const
+  {
+    return this->UsesEnds;
+  }
+
   int GetNumberOfCollapses() const
   {
     return this->History.GetNumberOfCollapses();

@@ -5,6 +5,7 @@
 #include "Helper/Base/Kernels.h"
 #include "Helper/Decimation/ClosedSurface.h"
 #include "Helper/Decimation/Decimator.h"
+#include "Helper/Decimation/Hope.h"
 #include "Helper/Resolve/Clean.h"
 
 #include <algorithm>
@@ -17,12 +18,6 @@ namespace carving::helper
 {
 namespace
 {
-
-/**
- * A bounded surface with more vertices than this factor of its target, none of whose edges
- * collapses well, does not get to the target.
- */
-constexpr double MostAboveTarget = 1.1;
 
 /**
  * A surface within an error bound that has more vertices hardly loses one in two hundred of them by
@@ -186,7 +181,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
   for (std::size_t i = 0; i < options.Targets.size(); ++i)
   {
     const double target = options.Targets[i];
-    bool stopped = false;
+    bool stopped = false, hopeless = false;
+    Hope hope(target);
     long long calls = 0;
     const auto mayGoOn = [&]
     {
@@ -212,12 +208,19 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
         break;
       }
       decimator.RaiseErrorBound(*bound);
-      reached = decimator.Run([&] { return mayGoOn() && (byError || count() > target); },
-        [&]
-        {
-          return byError ? count() <= MostToTryHarder
-                         : std::isinf(*bound) || count() <= MostAboveTarget * target;
-        });
+      const auto goesOn = [&]
+      {
+        hopeless =
+          options.GivesUp && !byError && decimator.TriesAllPositions() && !hope.GoesOn(count());
+        return mayGoOn() && !hopeless && (byError || count() > target);
+      };
+      reached = decimator.Run(goesOn,
+                  [&]
+                  {
+                    return byError ? count() <= MostToTryHarder
+                                   : std::isinf(*bound) || count() <= MostAboveTarget * target;
+                  }) &&
+        !hopeless;
     }
     // Bounds are below the distance of a known result, which is better than one that misses a number.
     const bool isOfUse = reached || options.Bounds.empty();

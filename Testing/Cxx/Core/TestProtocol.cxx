@@ -95,6 +95,7 @@ TEST(Protocol, RestoresAJob)
   EXPECT_EQ(restored.Decimation.Type, job.Decimation.Type);
   EXPECT_EQ(restored.Decimation.Targets, job.Decimation.Targets);
   EXPECT_EQ(restored.Decimation.Bounds, job.Decimation.Bounds);
+  EXPECT_EQ(restored.Decimation.GivesUp, job.Decimation.GivesUp);
   EXPECT_EQ(restored.Decimation.Nested, job.Decimation.Nested);
 }
 

@@ -3,6 +3,7 @@
  * @file
  * Which steps are decimated for which levels, and which results are taken.
  */
+#include "Session/TighterTrials.h"
 #include "Session/TrialPlans.h"
 
 #include <gtest/gtest.h>
@@ -155,6 +156,33 @@ TEST(LevelTrials, AreBoundWhereThatHelps)
   EXPECT_TRUE(isBound(400.0, 0.01));
   EXPECT_FALSE(isBound(2000.0, 0.0029));
   EXPECT_TRUE(isBound(2000.0, 0.0031));
+}
+
+// Once the best step has been tried within a bound, other steps with few vertices follow for the
+// numbers that have gained, and for no others.
+TEST(LevelTrials, AreBoundForOtherStepsWhereTheBestHasGained)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices[step] = 2000 + step;
+  }
+  const auto findSteps = [&profile](double error)
+  {
+    std::vector<LevelTrial> trials = { MakeTrial(49, { { 400.0, 0.31 } }),
+      MakeTrial(48, { { 400.0, 0.3 } }), MakeTrial(47, { { 400.0, 0.5 } }),
+      MakeTrial(LastStep, { { 400.0, 0.32 } }), MakeTrial(48, { { 400.0, error } }) };
+    trials.back().Targets.front().Bound = 0.29;
+    std::vector<int> steps;
+    for (const LevelTrial& trial :
+      PlanTighterTrials(profile, MakeTargets({ 400.0 }), trials, Diagonal))
+    {
+      steps.push_back(trial.Step);
+    }
+    return steps;
+  };
+  EXPECT_EQ(findSteps(0.28), (std::vector<int>{ 49, LastStep }));
+  EXPECT_EQ(findSteps(0.3), std::vector<int>());
 }
 
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices

@@ -398,6 +398,21 @@ TEST(Decimation, SaysWhereItSticks)
   EXPECT_GE(results[0].Mesh.Points.size(), 7u); // no torus has fewer vertices (Csaszar)
 }
 
+// A number that is far from reach may be given up. This changes nothing for a number within reach.
+TEST(Decimation, GivesUpNumbersFarFromReachOnly)
+{
+  const TriangleMesh torus = models::Torus(1.0, 0.3, 16, 8);
+  DecimationOptions options = OptionsFor({ 40, 3 });
+  const auto tried = Decimate(torus, options);
+  options.GivesUp = true;
+  const auto results = Decimate(torus, options);
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_TRUE(results[0].Reached);
+  EXPECT_EQ(results[0].Mesh.Points, tried[0].Mesh.Points);
+  EXPECT_FALSE(results[1].Reached);
+  EXPECT_GE(results[1].Mesh.Points.size(), tried[1].Mesh.Points.size());
+}
+
 // Vertices that stay name the point of the input that they are, bit for bit.
 TEST(Decimation, KeepsSources)
 {

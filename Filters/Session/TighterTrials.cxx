@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Session/TighterTrials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using carving::DecimationOptions;
+using carving::LevelTarget;
+using carving::SimplifiedTarget;
+
+/**
+ * Whether a trial of a step within a bound is worth its time. Hardly any gets to more than a
+ * twentieth of the step's vertices if the surface without a bound is as close as that of a smooth
+ * mesh.
+ */
+bool IsWorthBound(const SimplifiedTarget& target, int vertices, double error, double diagonal)
+{
+  constexpr double greatestShare = 0.05;
+  const double count = CountVertices(target);
+  return vertices <= DecimationOptions::ManyVertices &&
+    (count <= greatestShare * vertices || count * error > MostOfSmooth * diagonal);
+}
+
+bool IsBound(const LevelTrial& trial)
+{
+  return !trial.Targets.empty() && !std::isinf(trial.Targets.front().Bound);
+}
+
+bool IsBoundFor(const LevelTrial& trial, const SimplifiedTarget& target)
+{
+  return IsBound(trial) && trial.LastStep == target.LastStep &&
+    std::any_of(trial.Targets.begin(), trial.Targets.end(),
+      [&](const TrialTarget& other) { return other.Value == target.Value; });
+}
+
+} // namespace
+
+std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
+  double diagonal)
+{
+  constexpr double similar = 0.85;
+  constexpr std::size_t most = 5; // per target
+  std::vector<LevelTrial> added;
+  for (const SimplifiedTarget& target : targets)
+  {
+    std::vector<BestTrial> closest = RankTrials(trials, target);
+    const bool isFirst = std::none_of(trials.begin(), trials.end(),
+      [&](const LevelTrial& trial) { return IsBoundFor(trial, target); });
+    const bool goesOn = !closest.empty() && closest.front().Surface->Reached &&
+      (isFirst || IsBound(*closest.front().Trial));
+    if (target.Type == LevelTarget::ErrorBound || !goesOn)
+    {
+      continue;
+    }
+    closest.erase(std::remove_if(closest.begin(), closest.end(),
+                    [](const BestTrial& found) { return IsBound(*found.Trial); }),
+      closest.end());
+    const double error = closest.front().Surface->Error;
+    const std::size_t begin = isFirst ? 0 : 1, end = isFirst ? 1 : std::min(most, closest.size());
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const auto& [trial, surface] = closest[i];
+      const int vertices = profile.Vertices[trial->Step];
+      const bool few = vertices <= DecimationOptions::FewVertices;
+      // For less gain, the mean distance grows too much.
+      const double bound = (few ? 0.94 : 0.875) * error;
+      if ((few || (isFirst && IsWorthBound(target, vertices, error, diagonal))) &&
+        surface->Reached && similar * surface->Error <= error)
+      {
+        AddTarget(added, target, trial->Step, bound);
+      }
+    }
+  }
+  return added;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * Steps of a stream that are decimated again, within a bound of the distance.
+ */
+#ifndef TighterTrials_h
+#define TighterTrials_h
+
+#include "Session/LevelTrials.h"
+
+#include <vector>
+
+/**
+ * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
+ * a little below the distances that have been reached. Not for steps with many vertices, which are
+ * close to M and would take long, and not where the bound would hardly be met.
+ *
+ * At first, this is the best step for each number. Next, these are other good steps with few
+ * vertices for the numbers that have gained: hardly any step gains where the best one has not.
+ * `diagonal` is M's.
+ */
+std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
+  double diagonal);
+
+#endif

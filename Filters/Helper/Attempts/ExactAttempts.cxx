@@ -178,7 +178,7 @@ bool ExactAttempts::TrySnapped()
     if (!mistake.empty())
     {
       std::ostringstream text;
-      text << "Snapping: on a grid of " << spacing << ", " << mistake;
+      text << "Snapping on a grid of " << spacing << ": " << mistake;
       this->Failures.Add("", { text.str() });
     }
     else if (this->TryMoved(snapped))

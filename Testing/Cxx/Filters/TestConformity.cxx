@@ -138,7 +138,7 @@ TEST(Conformity, NotesEveryAttempt)
   carver->SetSnapTolerance(1e-30); // smaller than the spacing of doubles near 1
   carver->Update();
   EXPECT_EQ(GetFieldText(GetLevel(carver, 0), "Strategy"), "Delaunay, enclosing");
-  EXPECT_TRUE(Has(GetNotes(carver), "An attempt failed. Snapping: on a grid of"));
+  EXPECT_TRUE(Has(GetNotes(carver), "An attempt failed. Snapping on a grid of"));
 }
 
 // ENCLOSING meets a mesh without crossings as a whole, and no note calls it only enclosed.

@@ -423,7 +423,7 @@ TEST(Strategies, ContinueWhereSnappingFails)
   const Reply reply = GetReply(job);
   EXPECT_EQ(reply.Strategy, "Delaunay, enclosing");
   EXPECT_EQ(reply.SnapDistance, 0.0);
-  EXPECT_NE(reply.Attempts.find("Snapping: on a grid of"), std::string::npos) << reply.Attempts;
+  EXPECT_NE(reply.Attempts.find("Snapping on a grid of"), std::string::npos) << reply.Attempts;
 }
 
 // Snapping may take the time that the exact attempts have left, and a quarter of their limit even if

@@ -126,6 +126,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   constexpr int anyNumber = std::numeric_limits<int>::max();
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
+  // The best steps first, and others when that has been worth it.
   const auto tighter = [&]
   { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); };
   std::function<std::vector<LevelTrial>()> rounds[] = {

@@ -66,7 +66,7 @@ struct DecimationOptions
   std::vector<double> Bounds;
   /**
    * Gives up a number that is far from reach: no edge collapses well, and so few collapse otherwise
-   * that the rest would take far longer than all before.
+   * that the rest of the way would take more than ten attempts per vertex.
    */
   int GivesUp = 0;
   /** Each result lies inside all coarser ones. Otherwise results are tighter. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * Which regions lie next to each other.
+ * Which regions lie next to each other, and the largest cell of each.
  */
 #ifndef carving_RegionGraph_h
 #define carving_RegionGraph_h

@@ -16,7 +16,8 @@ namespace
 struct Side
 {
   int Other; ///< the greater point of a triangle's edge; 0 for an end
-  int Count; ///< how often the side is traversed towards it, or ends there, less the opposite
+  /** Traversals towards `Other`, less those back; at an end, 1 per traversal to it, -1 from it. */
+  int Count;
   int Facet;
 };
 

@@ -24,11 +24,10 @@ class WindingTree
 public:
   explicit WindingTree(const ResolvedMesh& mesh);
 
-  /* * The winding number around a point that lies on no facet, to about 0.02. `thresholds` are
- distances from the
- * nearest integer: where the error could move the result across one of them, the sum is refined
- until it cannot.
-
+  /**
+   * The winding number around a point that lies on no facet, to about 0.02. `thresholds` are
+   * distances from the nearest integer: where the error could move the result across one of them,
+   * the sum is refined until it cannot.
    */
   double Measure(const Point& point, const std::vector<double>& thresholds = {}) const;
 

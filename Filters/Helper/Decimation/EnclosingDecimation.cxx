@@ -214,13 +214,12 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
           options.GivesUp && !byError && decimator.TriesAllPositions() && !hope.GoesOn(count());
         return mayGoOn() && !hopeless && (byError || count() > target);
       };
-      reached = decimator.Run(goesOn,
-                  [&]
-                  {
-                    return byError ? count() <= MostToTryHarder
-                                   : std::isinf(*bound) || count() <= MostAboveTarget * target;
-                  }) &&
-        !hopeless;
+      const auto triesHarder = [&]
+      {
+        return byError ? count() <= MostToTryHarder
+                       : std::isinf(*bound) || count() <= MostAboveTarget * target;
+      };
+      reached = decimator.Run(goesOn, triesHarder) && !hopeless;
     }
     // Bounds are below the distance of a known result, which is better than one that misses a number.
     const bool isOfUse = reached || options.Bounds.empty();

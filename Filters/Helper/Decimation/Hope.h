@@ -12,12 +12,12 @@ namespace carving::helper
 {
 
 /**
- * A bounded surface with more vertices than this factor of its target, none of whose edges
- * collapses well, does not get to the target.
+ * Once no edge collapses well, a surface with more vertices than this factor of its target seldom
+ * gets to the target, and a bounded one never does.
  */
 constexpr double MostAboveTarget = 1.1;
 
-/** Tells whether edges that do not collapse well will ever get a surface to its number. */
+/** Foretells whether edges that do not collapse well will get a surface to its number. */
 class Hope
 {
 public:
@@ -26,17 +26,17 @@ public:
   {
   }
 
-  /** Takes over that another edge is tried. Returns whether it is worth its time. */
+  /** Counts an attempt to collapse an edge. Returns whether the attempt is worth its time. */
   bool GoesOn(double count)
   {
-    constexpr double sample = 500.0;    // attempts
-    constexpr double mostPasses = 10.0; // attempts per vertex
+    constexpr double sample = 500.0;       // attempts
+    constexpr double mostPerVertex = 10.0; // attempts
     this->First = this->Attempts == 0.0 ? count : this->First;
     ++this->Attempts;
     const double collapsed = std::max(this->First - count, 1.0);
     const double needed = (count - this->Target) / collapsed * this->Attempts;
     return count <= MostAboveTarget * this->Target || this->Attempts < sample ||
-      needed <= mostPasses * count;
+      needed <= mostPerVertex * count;
   }
 
 private:

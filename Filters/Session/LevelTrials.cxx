@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <deque>
 
 namespace
@@ -51,33 +52,21 @@ bool IsCoarserBetter(LevelTarget type, const BestTrial& coarser, const BestTrial
 }
 
 /**
- * Whether neither the topology of the last step nor its pits keep a level with `value` vertices or
- * triangles far from M.
+ * Whether neither the topology of a step nor its pits keep a surface far from M. The distance of a
+ * smooth surface is about inversely proportional to its number of vertices, and that of a rough one
+ * falls more slowly: with a power of 0.6 to 0.8 on scans.
  */
-bool IsLastStepGoodEnough(
-  const std::vector<LevelTrial>& trials, int lastStep, double value, double diagonal)
+bool IsCloseEnough(
+  const LevelTrial& trial, const carving::DecimatedSurface& surface, double diagonal)
 {
   constexpr double room = 20.0; // vertices per vertex that the topology needs
-  constexpr double mostGrowth = 1.25;
-  constexpr double many = 0.25; // of the vertices: the distance depends on details of M
-  for (const LevelTrial& trial : trials)
-  {
-    double finer = MostOfSmooth * diagonal; // the product for the next finer target
-    for (std::size_t i = 0; trial.Step == lastStep && i < trial.Result.Surfaces.size(); ++i)
-    {
-      const DecimatedSurface& surface = trial.Result.Surfaces[i];
-      const double vertices = CountVertices(trial, surface);
-      const double product = surface.Error * vertices;
-      if (trial.Targets[i].Value == value)
-      {
-        return surface.Reached && vertices >= room * trial.LeastVertices &&
-          (vertices >= many * trial.Result.Chain.Vertices ||
-            product <= (i > 0 ? mostGrowth : 1.0) * finer);
-      }
-      finer = product;
-    }
-  }
-  return false;
+  constexpr double power = 0.75;
+  constexpr double greatest = 1.6; // of the product, in diagonals: 9 thousandths at 1,000 vertices
+  constexpr double many = 0.25;    // of the vertices: the distance depends on details of M
+  const double vertices = CountVertices(trial, surface);
+  return surface.Reached && vertices >= room * trial.LeastVertices &&
+    (vertices >= many * trial.Result.Chain.Vertices ||
+      surface.Error * std::pow(vertices, power) <= greatest * diagonal);
 }
 
 /** How bad a surface is for a target, as a logarithm. */
@@ -213,11 +202,16 @@ std::vector<BestTrial> ChooseTrials(
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial)
 {
-  bool drop = true;
-  DropTargetsIf(trial,
-    [&](double value)
+  double least = HUGE_VAL;
+  for (const LevelTrial& last : trials)
+  {
+    for (std::size_t i = 0; last.Step == trial.LastStep && i < last.Result.Surfaces.size(); ++i)
     {
-      drop = drop && IsLastStepGoodEnough(trials, trial.LastStep, value, diagonal);
-      return drop;
-    });
+      if (IsCloseEnough(last, last.Result.Surfaces[i], diagonal))
+      {
+        least = std::min(least, last.Targets[i].Value);
+      }
+    }
+  }
+  DropTargetsIf(trial, [least](double value) { return value >= least; });
 }

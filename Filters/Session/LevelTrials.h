@@ -63,12 +63,6 @@ void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
   trial.Targets = std::move(kept);
 }
 
-/**
- * The distance of a smooth surface is about inversely proportional to its number of vertices. Their
- * product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the vertices.
- */
-constexpr double MostOfSmooth = 6.0;
-
 struct BestTrial
 {
   const LevelTrial* Trial = nullptr; ///< null if no trial has a surface for the target
@@ -104,10 +98,10 @@ std::vector<BestTrial> ChooseTrials(
   const std::vector<LevelTrial>& trials, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
- * Drops the numbers of a trial, from the finest one on, for which an earlier step would hardly be
- * closer than the last one is: neither the topology of the last step nor its pits keep its level
- * far from M. `diagonal` is that of M. Numbers below one that is tried remain: if the trial's step
- * is best for a level, no coarser level may come from a later step.
+ * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one:
+ * those from the coarsest one on at which neither the topology of the last step nor its pits keep the
+ * result far from M. Finer results of the same step are closer, and details of M alone keep them
+ * from being closer still. `diagonal` is that of M. Numbers below remain.
  */
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);

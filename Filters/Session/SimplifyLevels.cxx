@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -123,7 +122,8 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   TrialRunner runner(leaf, carved.Stream, settings.ThreadsOfLeaf, stages);
   const std::vector<LevelTrial>& trials = runner.GetTrials();
   // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
-  constexpr int anyNumber = std::numeric_limits<int>::max();
+  constexpr int few = carving::DecimationOptions::FewVertices;
+  constexpr int many = carving::DecimationOptions::ManyVertices;
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
   // The best steps first, and others when that has been worth it.
@@ -132,11 +132,11 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets); },
-    [&] { return between(anyNumber); },
-    [&] { return between(anyNumber); },
-    [&] { return between(anyNumber); },
-    [&] { return between(carving::DecimationOptions::FewVertices); },
-    [&] { return between(carving::DecimationOptions::FewVertices); },
+    [&] { return between(many); },
+    [&] { return between(many); },
+    [&] { return between(many); },
+    [&] { return between(few); },
+    [&] { return between(few); },
     tighter,
     tighter,
   };

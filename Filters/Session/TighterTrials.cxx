@@ -12,6 +12,12 @@ using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
 /**
+ * The distance of a smooth surface is about inversely proportional to its number of vertices. Their
+ * product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the vertices.
+ */
+constexpr double MostOfSmooth = 6.0;
+
+/**
  * Whether a trial of a step within a bound is worth its time. Hardly any gets to more than a
  * twentieth of the step's vertices if the surface without a bound is as close as that of a smooth
  * mesh.

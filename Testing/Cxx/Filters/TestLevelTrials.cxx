@@ -97,11 +97,19 @@ TEST(LevelTrials, TryEarlierStepsNearTheLeastNumber)
   EXPECT_EQ(FindTried(last), Counts({ 500 }));
 }
 
-// Earlier steps are tried where the distance grows faster than the number of vertices falls.
+// Earlier steps are tried where the distance grows much faster than the number of vertices falls.
 TEST(LevelTrials, TryEarlierStepsWherePitsNeedTheVertices)
 {
-  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.002 }, { 1000, 0.008 } });
+  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.002 }, { 1000, 0.012 } });
   EXPECT_EQ(FindTried(last), Counts({ 1000 }));
+}
+
+// No earlier step is tried for a number if the last one is close enough even with fewer vertices:
+// only the details of M need more.
+TEST(LevelTrials, SpareFinerNumbersOfSmoothSurfaces)
+{
+  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.006 }, { 1000, 0.008 } });
+  EXPECT_EQ(FindTried(last), Counts());
 }
 
 // An earlier step is tried for all numbers below one that it is tried for. If it is best there, the

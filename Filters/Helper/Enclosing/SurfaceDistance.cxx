@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/SurfaceDistance.h"
 
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
-
-// CGAL 6 deprecates these names of CGAL 5, which has no others.
-#define CGAL_NO_DEPRECATION_WARNINGS
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,15 +13,7 @@ namespace carving::helper
 namespace
 {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Corners = SurfaceDistance::Corners;
-
-Kernel::Point_3 ToKernel(const Point& p)
-{
-  return { p[0], p[1], p[2] };
-}
 
 Point Middle(const Point& a, const Point& b)
 {
@@ -81,79 +67,39 @@ class SurfaceDistance::Tree
 {
 public:
   explicit Tree(const ResolvedMesh& surface)
+    : Mesh(surface)
+    , Facets(this->Mesh)
   {
-    for (const auto& [a, b, c] : surface.Facets)
-    {
-      this->All.emplace_back(
-        ToKernel(surface.Points[a]), ToKernel(surface.Points[b]), ToKernel(surface.Points[c]));
-    }
-    this->Boxes.rebuild(this->All.cbegin(), this->All.cend());
-    this->Boxes.build(); // now, not at the first question, which a thread asks
   }
 
-  double SquaredDistance(const Point& point, int triangle) const
+  double Distance(const Point& point, int triangle) const
   {
-    return CGAL::squared_distance(ToKernel(point), this->All[triangle]);
+    return DistanceTo(this->Facets.GetItems().CornersOf(triangle), point);
   }
 
   /** Any triangle within a distance of a point; -1: none. */
   int FindWithin(const Point& point, double distance) const
   {
-    return this->Find(point, { distance * distance, false });
+    int found = -1;
+    this->Facets.ForEachNear(point, distance * distance,
+      [&](int triangle)
+      {
+        found = this->Distance(point, triangle) <= distance ? triangle : -1;
+        return found < 0 ? distance * distance : 0.0; // ends the search
+      });
+    return found;
   }
 
-  /** The closest triangle, if one is closer than a given one, or else the given one. */
+  /** The closest triangle. The search starts from a given one. */
   int FindClosest(const Point& point, int given) const
   {
-    const int found = this->Find(point, { this->SquaredDistance(point, given), true });
+    const int found = this->Facets.Find(point, 0.0, given).Item;
     return found < 0 ? given : found;
   }
 
 private:
-  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
-
-  /** Searches for a triangle within a distance of a point: for any triangle, or for the closest. */
-  struct Search
-  {
-    double SquaredDistance;
-    bool ForClosest;
-    const Kernel::Triangle_3* Found = nullptr;
-
-    bool go_further() const
-    {
-      return this->ForClosest || this->Found == nullptr;
-    }
-    void intersection(const Kernel::Point_3& p, const Primitive& primitive)
-    {
-      const Kernel::Triangle_3& triangle = *primitive.id();
-      const double squared = CGAL::squared_distance(p, triangle);
-      if (squared <= this->SquaredDistance)
-      {
-        this->Found = &triangle;
-        this->SquaredDistance = this->ForClosest ? squared : this->SquaredDistance;
-      }
-    }
-    bool do_intersect(const Kernel::Point_3& p, const CGAL::AABB_node<Traits>& node) const
-    {
-      double squared = 0.0;
-      for (int i = 0; i < 3; ++i)
-      {
-        const double beyond =
-          std::max({ node.bbox().min(i) - p[i], p[i] - node.bbox().max(i), 0.0 });
-        squared += beyond * beyond;
-      }
-      return squared <= this->SquaredDistance;
-    }
-  };
-
-  int Find(const Point& point, Search search) const
-  {
-    this->Boxes.traversal(ToKernel(point), search);
-    return search.Found ? static_cast<int>(search.Found - this->All.data()) : -1;
-  }
-
-  Triangles All;
-  CGAL::AABB_tree<Traits> Boxes;
+  ResolvedMesh Mesh;
+  FacetTree<3> Facets;
 };
 
 SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
@@ -168,7 +114,7 @@ bool SurfaceDistance::HasWithin(const Point& point, double distance)
   {
     return false;
   }
-  if (this->Surface->SquaredDistance(point, this->Last) <= distance * distance)
+  if (this->Surface->Distance(point, this->Last) <= distance)
   {
     return true;
   }
@@ -180,7 +126,7 @@ bool SurfaceDistance::HasWithin(const Point& point, double distance)
 double SurfaceDistance::Distance(const Point& point)
 {
   this->Last = this->Surface->FindClosest(point, this->Last);
-  return std::sqrt(this->Surface->SquaredDistance(point, this->Last));
+  return this->Surface->Distance(point, this->Last);
 }
 
 /**
@@ -190,8 +136,7 @@ double SurfaceDistance::Distance(const Point& point)
 bool SurfaceDistance::LastHasWithin(const Corners& triangle, double distance) const
 {
   return std::all_of(triangle.begin(), triangle.end(),
-    [&](const Point& p)
-    { return this->Surface->SquaredDistance(p, this->Last) <= distance * distance; });
+    [&](const Point& p) { return this->Surface->Distance(p, this->Last) <= distance; });
 }
 
 // The distance from M changes by no more than the distance between two points, so its value at the

@@ -3,9 +3,8 @@
  * @file
  * The distance of triangles from M.
  *
- * The tree is CGAL's and not the core's FacetTree, which always finds the closest facet: most
- * questions here are whether any triangle of M is within a distance, and end at the first triangle
- * found.
+ * Most questions here are whether any triangle of M is within a distance, and end at the first one
+ * found. The core's FaceDistance always finds the closest one.
  */
 #ifndef carving_SurfaceDistance_h
 #define carving_SurfaceDistance_h

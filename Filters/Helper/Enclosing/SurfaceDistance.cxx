@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Enclosing/SurfaceDistance.h"
 
-#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace carving::helper
@@ -62,50 +60,15 @@ void PushQuarters(const Corners& t, std::vector<Corners>& stack)
 
 } // namespace
 
-/** The triangles of M in a tree. */
-class SurfaceDistance::Tree
-{
-public:
-  explicit Tree(const ResolvedMesh& surface)
-    : Mesh(surface)
-    , Facets(this->Mesh)
-  {
-  }
-
-  double Distance(const Point& point, int triangle) const
-  {
-    return DistanceTo(this->Facets.GetItems().CornersOf(triangle), point);
-  }
-
-  /** Any triangle within a distance of a point; -1: none. */
-  int FindWithin(const Point& point, double distance) const
-  {
-    int found = -1;
-    this->Facets.ForEachNear(point, distance * distance,
-      [&](int triangle)
-      {
-        found = this->Distance(point, triangle) <= distance ? triangle : -1;
-        return found < 0 ? distance * distance : 0.0; // ends the search
-      });
-    return found;
-  }
-
-  /** The closest triangle. The search starts from a given one. */
-  int FindClosest(const Point& point, int given) const
-  {
-    const int found = this->Facets.Find(point, 0.0, given).Item;
-    return found < 0 ? given : found;
-  }
-
-private:
-  ResolvedMesh Mesh;
-  FacetTree<3> Facets;
-};
-
 SurfaceDistance::SurfaceDistance(const ResolvedMesh& surface)
-  : Surface(std::make_shared<const Tree>(surface))
+  : Surface(std::make_shared<const FacetTree<3>>(surface))
   , Resolution(FindResolution(surface.Points))
 {
+}
+
+double SurfaceDistance::ToTriangle(int triangle, const Point& point) const
+{
+  return DistanceTo(this->Surface->GetItems().CornersOf(triangle), point);
 }
 
 bool SurfaceDistance::HasWithin(const Point& point, double distance)
@@ -114,19 +77,23 @@ bool SurfaceDistance::HasWithin(const Point& point, double distance)
   {
     return false;
   }
-  if (this->Surface->Distance(point, this->Last) <= distance)
-  {
-    return true;
-  }
-  const int found = this->Surface->FindWithin(point, distance);
-  this->Last = found < 0 ? this->Last : found;
-  return found >= 0;
+  bool found = this->ToTriangle(this->Last, point) <= distance;
+  const double limit = distance * distance;
+  this->Surface->ForEachNear(point, found ? 0.0 : limit,
+    [&](int triangle)
+    {
+      found = this->ToTriangle(triangle, point) <= distance;
+      this->Last = found ? triangle : this->Last;
+      return found ? 0.0 : limit; // 0 ends the search
+    });
+  return found;
 }
 
 double SurfaceDistance::Distance(const Point& point)
 {
-  this->Last = this->Surface->FindClosest(point, this->Last);
-  return this->Surface->Distance(point, this->Last);
+  const FacetTree<3>::Closest closest = this->Surface->Find(point, 0.0, this->Last);
+  this->Last = std::max(closest.Item, 0);
+  return closest.Distance;
 }
 
 /**
@@ -136,7 +103,7 @@ double SurfaceDistance::Distance(const Point& point)
 bool SurfaceDistance::LastHasWithin(const Corners& triangle, double distance) const
 {
   return std::all_of(triangle.begin(), triangle.end(),
-    [&](const Point& p) { return this->Surface->Distance(p, this->Last) <= distance; });
+    [&](const Point& p) { return this->ToTriangle(this->Last, p) <= distance; });
 }
 
 // The distance from M changes by no more than the distance between two points, so its value at the

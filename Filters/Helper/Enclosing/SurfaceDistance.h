@@ -9,7 +9,7 @@
 #ifndef carving_SurfaceDistance_h
 #define carving_SurfaceDistance_h
 
-#include "Core/Mesh/Mesh.h"
+#include "Core/Mesh/FacetTree.h"
 
 #include <memory>
 
@@ -23,7 +23,7 @@ namespace carving::helper
 class SurfaceDistance
 {
 public:
-  /** The surface must have a facet. It is copied. */
+  /** The surface must have a facet, and outlive this object and its copies. */
   explicit SurfaceDistance(const ResolvedMesh& surface);
 
   using Corners = std::array<Point, 3>;
@@ -50,11 +50,11 @@ public:
   double Farthest(const Corners& triangle, double atLeast);
 
 private:
-  class Tree;
+  double ToTriangle(int triangle, const Point& point) const;
   bool HasWithin(const Point& point, double distance);
   bool LastHasWithin(const Corners& triangle, double distance) const;
 
-  std::shared_ptr<const Tree> Surface;
+  std::shared_ptr<const FacetTree<3>> Surface;
   double Resolution;
   int Last = 0; ///< the triangle found last; often close to the next point, too
 };

@@ -39,8 +39,9 @@ double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& 
 // Above a plane, the highest corner is the farthest point.
 TEST(SurfaceDistance, IsTheHeightAboveAPlane)
 {
-  SurfaceDistance distance(
-    AsResolved({ { { -9, -9, 0 }, { 9, -9, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } }));
+  const ResolvedMesh plane =
+    AsResolved({ { { -9, -9, 0 }, { 9, -9, 0 }, { 0, 9, 0 } }, { { 0, 1, 2 } } });
+  SurfaceDistance distance(plane);
   const SurfaceDistance::Corners triangle = { { { 0, 0, 0.1 }, { 1, 0, 0.2 }, { 0, 1, 0.5 } } };
   EXPECT_NEAR(distance.Farthest(triangle, 1e-3), 0.5, 0.05 * 0.5);
   EXPECT_EQ(distance.Farthest(triangle, 0.7), 0.7);
@@ -74,7 +75,8 @@ TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
       mesh.Triangles.push_back({ first, first + 1, first + 2 });
     }
     const double expected = FarthestOfGrid(mesh, triangle);
-    SurfaceDistance distance(AsResolved(mesh));
+    const ResolvedMesh surface = AsResolved(mesh);
+    SurfaceDistance distance(surface);
     // The grid underestimates the distance by less than its spacing.
     const double spacing = 4.0 / 40.0;
     const double farthest = distance.Farthest(triangle, 1e-3);

@@ -61,7 +61,7 @@ bool IsCloseEnough(
 {
   constexpr double room = 20.0; // vertices per vertex that the topology needs
   constexpr double power = 0.75;
-  constexpr double greatest = 1.6; // of the product, in diagonals: 9 thousandths at 1,000 vertices
+  constexpr double greatest = 1.6; // product, in diagonals: 0.9 % of one at 1,000 vertices
   constexpr double many = 0.25;    // of the vertices: the distance depends on details of M
   const double vertices = CountVertices(trial, surface);
   return surface.Reached && vertices >= room * trial.LeastVertices &&

@@ -99,9 +99,9 @@ std::vector<BestTrial> ChooseTrials(
 
 /**
  * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one:
- * those from the coarsest one on at which neither the topology of the last step nor its pits keep the
- * result far from M. Finer results of the same step are closer, and details of M alone keep them
- * from being closer still. `diagonal` is that of M. Numbers below remain.
+ * those from the coarsest one on at which neither the topology of the last step nor its pits keep
+ * the result far from M. Finer results of the same step are closer, and details of M alone keep
+ * them from being closer still. `diagonal` is that of M. Numbers below remain.
  */
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);

@@ -53,8 +53,8 @@ bool IsCoarserBetter(LevelTarget type, const BestTrial& coarser, const BestTrial
 
 /**
  * Whether neither the topology of a step nor its pits keep a surface far from M. The distance of a
- * smooth surface is about inversely proportional to its number of vertices, and that of a rough one
- * falls more slowly: with a power of 0.6 to 0.8 on scans.
+ * smooth surface is about inversely proportional to its number of vertices. That of a rough surface
+ * falls more slowly: on scans, with the number to the power of 0.6 to 0.8.
  */
 bool IsCloseEnough(
   const LevelTrial& trial, const carving::DecimatedSurface& surface, double diagonal)
@@ -205,9 +205,9 @@ void DropTargetsOfLastStep(
   double least = HUGE_VAL;
   for (const LevelTrial& last : trials)
   {
-    for (std::size_t i = 0; last.Step == trial.LastStep && i < last.Result.Surfaces.size(); ++i)
+    for (std::size_t i = 0; i < last.Result.Surfaces.size(); ++i)
     {
-      if (IsCloseEnough(last, last.Result.Surfaces[i], diagonal))
+      if (last.Step == trial.LastStep && IsCloseEnough(last, last.Result.Surfaces[i], diagonal))
       {
         least = std::min(least, last.Targets[i].Value);
       }

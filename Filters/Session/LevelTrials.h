@@ -98,10 +98,9 @@ std::vector<BestTrial> ChooseTrials(
   const std::vector<LevelTrial>& trials, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
- * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one:
- * those from the coarsest one on at which neither the topology of the last step nor its pits keep
- * the result far from M. Finer results of the same step are closer, and details of M alone keep
- * them from being closer still. `diagonal` is that of M. Numbers below remain.
+ * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one.
+ * These are the numbers whose result neither the topology of the last step nor its pits keep far
+ * from M, and all finer ones: only the details of M need more vertices. `diagonal` is that of M.
  */
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);

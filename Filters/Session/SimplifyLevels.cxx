@@ -122,7 +122,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   TrialRunner runner(leaf, carved.Stream, settings.ThreadsOfLeaf, stages);
   const std::vector<LevelTrial>& trials = runner.GetTrials();
   // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
-  // Steps of more vertices take longer: only the first rounds try them, and none beyond `many`.
+  // Steps of more vertices take longer. Those beyond `many` are never tried between others.
   constexpr int few = carving::DecimationOptions::FewVertices;
   constexpr int many = carving::DecimationOptions::ManyVertices;
   const auto between = [&](int mostVertices)

@@ -13,11 +13,6 @@ namespace
 
 using Corners = SurfaceDistance::Corners;
 
-Point Middle(const Point& a, const Point& b)
-{
-  return (a + b) / 2.0;
-}
-
 Point Centroid(const Corners& t)
 {
   return (t[0] + t[1] + t[2]) / 3.0;
@@ -51,7 +46,8 @@ double RadiusAround(const Point& centroid, const Corners& t)
 
 void PushQuarters(const Corners& t, std::vector<Corners>& stack)
 {
-  const Point a = Middle(t[1], t[2]), b = Middle(t[2], t[0]), c = Middle(t[0], t[1]);
+  const Point a = Between(t[1], t[2], 0.5), b = Between(t[2], t[0], 0.5),
+              c = Between(t[0], t[1], 0.5);
   stack.push_back({ t[0], c, b });
   stack.push_back({ t[1], a, c });
   stack.push_back({ t[2], b, a });
@@ -77,9 +73,13 @@ bool SurfaceDistance::HasWithin(const Point& point, double distance)
   {
     return false;
   }
-  bool found = this->ToTriangle(this->Last, point) <= distance;
+  if (this->ToTriangle(this->Last, point) <= distance)
+  {
+    return true;
+  }
+  bool found = false;
   const double limit = distance * distance;
-  this->Surface->ForEachNear(point, found ? 0.0 : limit,
+  this->Surface->ForEachNear(point, limit,
     [&](int triangle)
     {
       found = this->ToTriangle(triangle, point) <= distance;

@@ -3,8 +3,9 @@
  * @file
  * The distance of triangles from M.
  *
- * Most questions here are whether any triangle of M is within a distance, and end at the first one
- * found. The core's FaceDistance always finds the closest one.
+ * Most questions are whether any triangle of M is within a distance. A search ends at the first one
+ * found, and the next search begins with it. The core's FaceDistance, which looks for the closest
+ * triangle, takes up to a tenth longer.
  */
 #ifndef carving_SurfaceDistance_h
 #define carving_SurfaceDistance_h

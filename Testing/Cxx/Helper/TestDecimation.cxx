@@ -370,6 +370,21 @@ TEST(Decimation, StaysWithinErrorBounds)
   }
 }
 
+// A sphere within an error bound has not many more vertices than theory asks for. A face touches the
+// sphere in its center at best: an equilateral triangle with a circumradius of r reaches a distance
+// of r^2 / 2 then, and n vertices have 2 n of these faces to cover the sphere.
+TEST(Decimation, TakesFewVerticesWithinAnErrorBound)
+{
+  const TriangleMesh sphere = models::Sphere(4);
+  for (const double bound : { 0.1, 0.03 })
+  {
+    const auto results = Decimate(sphere, { bound }, false, DecimationTarget::ErrorBound);
+    ASSERT_EQ(results.size(), 1u);
+    const double least = 4.0 * std::acos(-1.0) / (3.0 * std::sqrt(3.0) * bound);
+    EXPECT_LE(results[0].Mesh.Points.size(), 2.5 * least) << "within " << bound;
+  }
+}
+
 // Bounds hold on the way to numbers, also to one that is out of reach within its bound.
 TEST(Decimation, StaysWithinBoundsOnTheWayToNumbers)
 {

@@ -128,8 +128,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
   // The best steps first, and others when that has been worth it.
-  const auto tighter = [&]
-  { return PlanTighterTrials(profile, targets, trials, runner.GetDiagonal()); };
+  const auto tighter = [&] { return PlanTighterTrials(profile, targets, trials); };
   std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets); },

@@ -11,25 +11,6 @@ using carving::DecimationOptions;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-/**
- * The distance of a smooth surface is about inversely proportional to its number of vertices. Their
- * product is 3 to 6 diagonals on scans and mechanical parts, and grows where pits need the vertices.
- */
-constexpr double MostOfSmooth = 6.0;
-
-/**
- * Whether a trial of a step within a bound is worth its time. Hardly any gets to more than a
- * twentieth of the step's vertices if the surface without a bound is as close as that of a smooth
- * mesh.
- */
-bool IsWorthBound(const SimplifiedTarget& target, int vertices, double error, double diagonal)
-{
-  constexpr double greatestShare = 0.05;
-  const double count = CountVertices(target);
-  return vertices <= DecimationOptions::ManyVertices &&
-    (count <= greatestShare * vertices || count * error > MostOfSmooth * diagonal);
-}
-
 bool IsBound(const LevelTrial& trial)
 {
   return !trial.Targets.empty() && !std::isinf(trial.Targets.front().Bound);
@@ -45,8 +26,7 @@ bool IsBoundFor(const LevelTrial& trial, const SimplifiedTarget& target)
 } // namespace
 
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
-  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
-  double diagonal)
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
   constexpr double similar = 0.85;
   constexpr std::size_t most = 5; // per target
@@ -74,8 +54,8 @@ std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
       const bool few = vertices <= DecimationOptions::FewVertices;
       // For less gain, the mean distance grows too much.
       const double bound = (few ? 0.94 : 0.875) * error;
-      if ((few || (isFirst && IsWorthBound(target, vertices, error, diagonal))) &&
-        surface->Reached && similar * surface->Error <= error)
+      const bool isAffordable = few || (isFirst && vertices <= DecimationOptions::ManyVertices);
+      if (isAffordable && surface->Reached && similar * surface->Error <= error)
       {
         AddTarget(added, target, trial->Step, bound);
       }

@@ -12,15 +12,13 @@
 
 /**
  * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
- * a little below the distances that have been reached. Not for steps with many vertices, which are
- * close to M and would take long, and not where the bound would hardly be met.
+ * a little below the distances that have been reached. Not for steps with many vertices, which would
+ * take long.
  *
  * At first, this is the best step for each number. Next, these are other good steps with few
  * vertices for the numbers that have gained: hardly any step gains where the best one has not.
- * `diagonal` is M's.
  */
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials,
-  double diagonal);
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
 
 #endif

@@ -35,12 +35,6 @@ public:
     return this->Trials;
   }
 
-  /** The diagonal of M. */
-  double GetDiagonal() const
-  {
-    return this->Diagonal;
-  }
-
 private:
   bool RunTogether(
     carving::LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last);

@@ -60,8 +60,8 @@ struct DecimationOptions
   std::vector<double> Targets;
   /**
    * Per number, if there are any: no collapse before it may make a face that is farther from the
-   * mesh. They never fall. Each is approached in steps: the closer faces have to be at first, the
-   * closer they are in the end. A number is given up where the steps leave no hope for it.
+   * mesh. They never fall. The least bound is sought that leads to the number, from below. A number
+   * is given up where there is no hope for it.
    */
   std::vector<double> Bounds;
   /**

@@ -48,6 +48,11 @@ public:
    */
   void RaiseErrorBound(double bound);
 
+  double GetErrorBound() const
+  {
+    return this->Bound.Get();
+  }
+
   /**
    * Collapses edges while `goOn` returns true. Returns false if no edge can collapse any more.
    * Before that, `triesHarder` says whether positions that fit less well are worth their time.

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/FaceDistance.h"
 #include "Helper/Base/Kernels.h"
+#include "Helper/Decimation/BoundSearch.h"
 #include "Helper/Decimation/ClosedSurface.h"
 #include "Helper/Decimation/Decimator.h"
 #include "Helper/Decimation/Hope.h"
@@ -132,31 +133,6 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
   return largest;
 }
 
-/** The bounds within which edges of a surface with some vertices collapse in turn for a target. */
-std::vector<double> ListBounds(
-  const DecimationOptions& options, std::size_t target, std::size_t vertices)
-{
-  if (options.Type == DecimationTarget::ErrorBound)
-  {
-    // The measured error may be 1 % too large; it has to be within the bound, too.
-    return { options.Targets[target] / 1.01 };
-  }
-  if (options.Bounds.empty())
-  {
-    return { HUGE_VAL };
-  }
-  // Lower bounds also raise the mean distance.
-  const int steps = vertices <= DecimationOptions::FewVertices ? 3 : 2;
-  constexpr double ratio = 1.068, lastRatio = 1.03;
-  std::vector<double> bounds;
-  for (int step = steps; step >= 0; --step)
-  {
-    bounds.push_back(options.Bounds[target] / lastRatio / std::pow(ratio, step));
-  }
-  bounds.push_back(options.Bounds[target]); // where only a few vertices are too many
-  return bounds;
-}
-
 /** Decimates a surface once per target. Returns an empty string, or an error. */
 std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
   const DecimationOptions& options, int threads, const Progress& progress,
@@ -195,31 +171,28 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       return options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
                                                          : surface.number_of_vertices();
     };
-    const std::vector<double> bounds = ListBounds(options, i, vertices);
+    BoundSearch search(options.Bounds.empty() ? HUGE_VAL : options.Bounds[i]);
+    // The measured error may be 1 % too large; it has to be within the bound, too.
+    std::optional<double> bound = byError ? target / 1.01 : search.First();
     bool reached = false;
-    for (auto bound = bounds.begin(); bound != bounds.end() && !reached && !stopped; ++bound)
+    while (bound && !reached && !stopped)
     {
-      // The distance of a surface is about inversely proportional to its number of vertices.
-      constexpr double about = 1.17, aFewMore = 1.02;
-      if (bound != bounds.begin() &&
-        (bound[-1] * count() > about * bounds.back() * target ||
-          (bound + 1 == bounds.end() && count() > aFewMore * target)))
-      {
-        break;
-      }
       decimator.RaiseErrorBound(*bound);
+      const bool isBounded = std::isfinite(decimator.GetErrorBound());
       const auto goesOn = [&]
       {
         hopeless =
-          options.GivesUp && !byError && decimator.TriesAllPositions() && !hope.GoesOn(count());
+          options.GivesUp && !isBounded && decimator.TriesAllPositions() && !hope.GoesOn(count());
         return mayGoOn() && !hopeless && (byError || count() > target);
       };
       const auto triesHarder = [&]
       {
         return byError ? count() <= MostToTryHarder
-                       : std::isinf(*bound) || count() <= MostAboveTarget * target;
+                       : !isBounded || count() <= MostAboveTarget * target;
       };
       reached = decimator.Run(goesOn, triesHarder) && !hopeless;
+      bound = byError || reached ? std::nullopt
+                                 : search.Next(decimator.GetErrorBound(), count() / target);
     }
     // Bounds are below the distance of a known result, which is better than one that misses a number.
     const bool isOfUse = reached || options.Bounds.empty();

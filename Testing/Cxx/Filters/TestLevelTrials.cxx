@@ -151,19 +151,19 @@ TEST(LevelTrials, TryStepsBetweenTrialsForTheSameNumber)
   EXPECT_TRUE(PlanTrialsBetween(TunnelAtEachStep(), targets, trials, VerticesOfM / 2).empty());
 }
 
-// A step is tried again within a bound for numbers that are small beside its own, and where its
-// surface is farther from M than that of a smooth mesh: by more than six diagonals divided by n.
-TEST(LevelTrials, AreBoundWhereThatHelps)
+// A step is tried again within a bound unless it has many vertices.
+TEST(LevelTrials, AreBoundUnlessStepsAreLarge)
 {
-  const auto isBound = [](double vertices, double error)
+  carving::Profile profile = TunnelAtEachStep();
+  const auto countBound = [&profile](int vertices)
   {
-    const std::vector<LevelTrial> trials = { MakeTrial(LastStep, { { vertices, error } }) };
-    return !PlanTighterTrials(TunnelAtEachStep(), MakeTargets({ vertices }), trials, Diagonal)
-              .empty();
+    profile.Vertices[LastStep] = vertices;
+    return PlanTighterTrials(
+      profile, MakeTargets({ 400.0 }), { MakeTrial(LastStep, { { 400.0, 0.01 } }) })
+      .size();
   };
-  EXPECT_TRUE(isBound(400.0, 0.01));
-  EXPECT_FALSE(isBound(2000.0, 0.0029));
-  EXPECT_TRUE(isBound(2000.0, 0.0031));
+  EXPECT_EQ(countBound(carving::DecimationOptions::ManyVertices), 1u);
+  EXPECT_EQ(countBound(carving::DecimationOptions::ManyVertices + 1), 0u);
 }
 
 // Once the best step has been tried within a bound, other steps with few vertices follow for the
@@ -182,8 +182,7 @@ TEST(LevelTrials, AreBoundForOtherStepsWhereTheBestHasGained)
       MakeTrial(LastStep, { { 400.0, 0.32 } }), MakeTrial(48, { { 400.0, error } }) };
     trials.back().Targets.front().Bound = 0.29;
     std::vector<int> steps;
-    for (const LevelTrial& trial :
-      PlanTighterTrials(profile, MakeTargets({ 400.0 }), trials, Diagonal))
+    for (const LevelTrial& trial : PlanTighterTrials(profile, MakeTargets({ 400.0 }), trials))
     {
       steps.push_back(trial.Step);
     }

@@ -60,8 +60,8 @@ struct DecimationOptions
   std::vector<double> Targets;
   /**
    * Per number, if there are any: no collapse before it may make a face that is farther from the
-   * mesh. They never fall. The least bound is sought that leads to the number, from below. A number
-   * is given up where there is no hope for it.
+   * mesh. They never fall. A search from below finds the least bound that leads to the number. A
+   * number is given up where there is no hope for it.
    */
   std::vector<double> Bounds;
   /**

@@ -140,8 +140,7 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
 {
   const SurfaceMesh& surface = decimator.GetSurface();
   const bool byError = options.Type == DecimationTarget::ErrorBound;
-  const std::size_t vertices = surface.number_of_vertices();
-  const double all = std::log(static_cast<double>(vertices));
+  const double all = std::log(static_cast<double>(surface.number_of_vertices()));
   const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
   std::future<double> error; // of the last result, measured while the next one is made
   const auto finish = [&]

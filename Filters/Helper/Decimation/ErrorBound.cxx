@@ -10,7 +10,7 @@ namespace
 
 /**
  * Queries for the distance of a face. A face that they do not decide is turned away. Large faces
- * above fine facets take some hundred. With 64, surfaces kept two to eight times the vertices.
+ * above fine facets take some hundred. With 64, surfaces kept up to five times as many vertices.
  */
 constexpr int MostQueries = 4000;
 

@@ -95,8 +95,8 @@ TEST_F(StarWithBound, SparesAttemptsThatWouldFail)
   EXPECT_TRUE(this->Bound.MayAllow(this->Edge));
 }
 
-// The number is reached in few steps, at a bound that is hardly greater than the least one; more so
-// where the number falls much faster than usual.
+// The number is reached in few steps, at a bound that is hardly greater than the least one. The first
+// step goes farther beyond where the number falls much faster than usual.
 TEST(BoundSearch, FindsTheLeastBoundInFewSteps)
 {
   for (const double power : { 0.6, 0.8, 1.0, 1.5, 2.5 })

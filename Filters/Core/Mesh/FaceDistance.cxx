@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <queue>
 #include <vector>
 
@@ -188,27 +189,37 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
 }
 
 template <int D>
-double FaceDistance<D>::FindFarther(
-  const FacetCorners<D>& face, double bound, int queries, const FacetCorners<D>& nearby) const
+double FaceDistance<D>::FindFarther(const std::vector<FacetCorners<D>>& faces, double bound,
+  int queries, const FacetCorners<D>& nearby) const
 {
+  const std::size_t most = faces.size() * queries;
   double lower = 0.0;
-  std::vector<Piece> open = { this->MakePiece(face, &nearby, bound, lower) };
-  for (int asked = 1; !open.empty() && lower <= bound && asked < queries;)
+  // Large pieces come before their parts: a point that is too far is mostly found by few of them.
+  std::deque<Piece> open;
+  std::size_t asked = 0;
+  const auto ask = [&](const FacetCorners<D>& corners, const FacetCorners<D>& start)
   {
-    const Piece piece = open.back();
-    open.pop_back();
+    const Piece piece = this->MakePiece(corners, &start, bound, lower);
     if (piece.Upper > bound)
     {
-      for (const FacetCorners<D>& part : Split(piece.Corners, piece.Closest))
-      {
-        open.push_back(this->MakePiece(part, &piece.Closest, bound, lower));
-        ++asked;
-      }
+      open.push_back(piece);
+    }
+    ++asked;
+  };
+  for (const FacetCorners<D>& face : faces)
+  {
+    ask(face, nearby);
+  }
+  while (!open.empty() && lower <= bound && asked < most)
+  {
+    const Piece piece = open.front();
+    open.pop_front();
+    for (const FacetCorners<D>& part : Split(piece.Corners, piece.Closest))
+    {
+      ask(part, piece.Closest);
     }
   }
-  const bool isWithin = std::all_of(
-    open.begin(), open.end(), [bound](const Piece& piece) { return piece.Upper <= bound; });
-  return isWithin ? 0.0 : std::max(lower, bound);
+  return open.empty() ? 0.0 : std::max(lower, bound);
 }
 
 /**

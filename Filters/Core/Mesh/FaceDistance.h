@@ -63,11 +63,12 @@ public:
     const FacetCorners<D>* nearby = nullptr) const;
 
   /**
-   * The distance of a point of the face that is farther than a bound, or 0 if there is none. The
-   * bound itself if this many queries do not decide. The first search begins at the facet `nearby`.
+   * The distance of a point of the faces that is farther than a bound, or 0 if there is none. The
+   * bound itself if this many queries per face do not decide. The first search begins at the facet
+   * `nearby`.
    */
-  double FindFarther(
-    const FacetCorners<D>& face, double bound, int queries, const FacetCorners<D>& nearby) const;
+  double FindFarther(const std::vector<FacetCorners<D>>& faces, double bound, int queries,
+    const FacetCorners<D>& nearby) const;
 
 private:
   struct Piece

@@ -59,15 +59,12 @@ double ErrorBound::FindExcess(const Star& star, const Point& w) const
     return closest.Distance;
   }
   const FacetCorners<3> nearby = tree.GetItems().CornersOf(closest.Item);
+  std::vector<FacetCorners<3>> faces;
   for (const auto& [a, b] : star.Link)
   {
-    const double excess = this->FromM.FindFarther({ a, b, w }, this->Bound, MostQueries, nearby);
-    if (excess > 0.0)
-    {
-      return excess;
-    }
+    faces.push_back({ a, b, w });
   }
-  return 0.0;
+  return this->FromM.FindFarther(faces, this->Bound, MostQueries, nearby);
 }
 
 } // namespace carving::helper

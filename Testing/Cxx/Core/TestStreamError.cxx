@@ -186,13 +186,13 @@ TEST(FaceDistance, FindsWhatIsFartherThanABound)
     constexpr int manyQueries = 100000;
     const auto bound = distance.Compute(face, manyQueries);
     ASSERT_TRUE(bound.Final);
-    EXPECT_EQ(distance.FindFarther(face, 1.01 * bound.Upper, manyQueries, nearby), 0.0);
+    EXPECT_EQ(distance.FindFarther({ face }, 1.01 * bound.Upper, manyQueries, nearby), 0.0);
     const double below = 0.99 * bound.Lower;
-    const double farther = distance.FindFarther(face, below, manyQueries, nearby);
+    const double farther = distance.FindFarther({ face }, below, manyQueries, nearby);
     EXPECT_GT(farther, below);
     EXPECT_LE(farther, bound.Upper);
     // The bound, if one query is too few.
-    EXPECT_GE(distance.FindFarther(face, below, 1, nearby), below);
+    EXPECT_GE(distance.FindFarther({ face }, below, 1, nearby), below);
   }
 }
 

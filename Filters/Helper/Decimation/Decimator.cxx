@@ -102,6 +102,7 @@ bool Decimator::CollapseAll(
         {
           return false;
         }
+        this->Slides.clear(); // they depend on how far positions may be
         if (!this->UsesEnds)
         {
           this->UsesEnds = true;
@@ -145,7 +146,9 @@ void Decimator::Try(HalfEdge edge)
   Point inward = start;
   if (!this->Nested && (few || attempt.Error.At(start) <= attempt.Limit))
   {
-    inward = this->Place.SlideInward(attempt.Around, attempt.Error, start, attempt.Limit);
+    Slide whole(start);
+    Slide& slide = few ? this->GetSlide(this->Surface.edge(edge), start) : whole;
+    inward = this->Place.SlideInward(attempt.Around, attempt.Error, slide, attempt.Limit);
   }
   const double least = attempt.Error.At(few ? inward : start);
   if (least > attempt.Limit)
@@ -156,6 +159,17 @@ void Decimator::Try(HalfEdge edge)
   {
     this->CollapseOrDefer(attempt, outward, inward, known.has_value());
   }
+}
+
+/** The slide from an outward position, as far as earlier attempts have followed it. */
+Slide& Decimator::GetSlide(SurfaceMesh::Edge_index edge, const Point& start)
+{
+  Slide& slide = this->Slides.try_emplace(edge, start).first->second;
+  if (slide.Start != start)
+  {
+    slide = Slide(start);
+  }
+  return slide;
 }
 
 /** Pushes an edge again if collapsing it into w costs more than the limit. */
@@ -294,6 +308,7 @@ void Decimator::PushAround(Vertex vertex)
   for (const HalfEdge spoke : CGAL::halfedges_around_target(first, this->Surface))
   {
     this->PushBound(spoke);
+    this->Slides.erase(this->Surface.edge(spoke));
     const HalfEdge back = this->Surface.opposite(spoke);
     for (const HalfEdge edge : CGAL::halfedges_around_target(back, this->Surface))
     {
@@ -301,6 +316,7 @@ void Decimator::PushAround(Vertex vertex)
       {
         continue;
       }
+      this->Slides.erase(this->Surface.edge(edge));
       if (this->Queue.Contains(this->Surface.edge(edge)))
       {
         this->Queue.DropPosition(this->Surface.edge(edge));

@@ -19,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <vector>
 
 namespace carving::helper
@@ -128,6 +129,7 @@ private:
     const Point& inward, bool isCostKnown);
   std::optional<Point> FindValid(const Attempt& attempt, const Point& start, const Point& end);
   void Collapse(const Attempt& attempt, const Point& w);
+  Slide& GetSlide(SurfaceMesh::Edge_index edge, const Point& start);
   void MoveInward(Vertex vertex);
   void PushAround(Vertex vertex);
 
@@ -143,6 +145,7 @@ private:
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
   bool UsesEnds = false; ///< whether edges also collapse into their ends
   std::map<Vertex, Move> Moves;
+  std::unordered_map<SurfaceMesh::size_type, Slide> Slides; ///< per edge whose star has not changed
 };
 
 } // namespace carving::helper

@@ -107,9 +107,9 @@ bool Placement::Widen(std::size_t vertices, double errorBound)
   return true;
 }
 
-std::optional<Point> Placement::FindOutward(const Star& star, const LocalError& error)
+std::optional<Point> Placement::FindOutward(const Star& star, const LocalError& error) const
 {
-  this->Current.clear();
+  std::vector<HalfSpace> outside;
   for (const auto& [a, b, c] : star.Corners)
   {
     const Point normal = Cross(b - a, c - a);
@@ -117,24 +117,24 @@ std::optional<Point> Placement::FindOutward(const Star& star, const LocalError& 
     if (length > 0.0)
     {
       const Point n = normal / length;
-      this->Current.push_back({ n, Dot(n, a - error.Origin) });
+      outside.push_back({ n, Dot(n, a - error.Origin) });
     }
   }
-  const std::size_t count = this->Current.size();
+  const std::size_t count = outside.size();
   double shift = 0.0;
   for (const double next : Shifts)
   {
-    for (HalfSpace& halfSpace : this->Current)
+    for (HalfSpace& halfSpace : outside)
     {
       halfSpace.Offset += (next - shift) * this->Diagonal;
     }
     shift = next;
-    const std::optional<Point> w = this->Minimize(error);
+    const std::optional<Point> w = this->Minimize(error, outside);
     if (!w || IsOutside(star, *w))
     {
       return w;
     }
-    this->Current.resize(count);
+    outside.resize(count);
   }
   return std::nullopt;
 }
@@ -145,17 +145,16 @@ double Placement::FindLeastError(const LocalError& error)
   return helper::Minimize(WithPull(error.Error), {}, x) ? error.Error.At(x) : 0.0;
 }
 
-/**
- * The least error in the current half-spaces. Adds those of the bounds that the result would leave.
- */
-std::optional<Point> Placement::Minimize(const LocalError& error)
+/** The least error in half-spaces. Adds those of the bounds that the result would leave. */
+std::optional<Point> Placement::Minimize(
+  const LocalError& error, std::vector<HalfSpace>& limits) const
 {
   const Quadric pulled = WithPull(error.Error);
   constexpr int mostRounds = 4; // rounding can keep a position outside
   for (int round = 0; round < mostRounds; ++round)
   {
     Point x;
-    if (!helper::Minimize(pulled, this->Current, x))
+    if (!helper::Minimize(pulled, limits, x))
     {
       return std::nullopt;
     }
@@ -165,7 +164,7 @@ std::optional<Point> Placement::Minimize(const LocalError& error)
     {
       if (Dot(bound.Normal, w) < bound.Offset - this->Slack / 2.0)
       {
-        this->Current.push_back({ bound.Normal, bound.Offset - Dot(bound.Normal, error.Origin) });
+        limits.push_back({ bound.Normal, bound.Offset - Dot(bound.Normal, error.Origin) });
         within = false;
       }
     }
@@ -177,15 +176,12 @@ std::optional<Point> Placement::Minimize(const LocalError& error)
   return std::nullopt;
 }
 
-Point Placement::SlideInward(
-  const Star& star, const LocalError& error, const Point& start, double limit)
+Point Placement::SlideInward(const Star& star, const LocalError& error, Slide& slide, double limit)
 {
   constexpr double almost = 0.999; // of the way to a contact
-  this->Current.clear();
-  Point w = start;
-  for (int contacts = 0; contacts < MostContacts; ++contacts)
+  while (!slide.IsAtEnd && slide.Contacts < MostContacts)
   {
-    const std::optional<Point> least = this->Minimize(error);
+    const std::optional<Point> least = this->Minimize(error, slide.Limits);
     if (!least)
     {
       break;
@@ -194,16 +190,25 @@ Point Placement::SlideInward(
     {
       return *least; // contacts only add constraints
     }
-    const std::optional<FirstContact> contact = this->M.FindContact(star, w, *least);
+    const std::optional<FirstContact> contact = this->M.FindContact(star, slide.Position, *least);
     if (!contact)
     {
-      return *least;
+      slide.Position = *least;
+      slide.IsAtEnd = true;
+      break;
     }
-    w = Between(w, *least, almost * contact->Time);
-    this->Current.push_back({ contact->Allowed.Normal,
+    slide.Position = Between(slide.Position, *least, almost * contact->Time);
+    slide.Limits.push_back({ contact->Allowed.Normal,
       contact->Allowed.Offset - Dot(contact->Allowed.Normal, error.Origin) });
+    ++slide.Contacts;
   }
-  return w;
+  return slide.Position;
+}
+
+Point Placement::SlideInward(const Star& star, const LocalError& error, const Point& start)
+{
+  Slide slide(start);
+  return this->SlideInward(star, error, slide, std::numeric_limits<double>::infinity());
 }
 
 } // namespace carving::helper

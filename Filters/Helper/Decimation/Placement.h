@@ -10,7 +10,6 @@
 #include "Helper/Decimation/Obstacle.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,6 +26,22 @@ struct LocalError
   {
     return this->Error.At(x - this->Origin);
   }
+};
+
+/** The way of a vertex inward from an outward position, as far as it has been followed. */
+struct Slide
+{
+  explicit Slide(const Point& start)
+    : Start(start)
+    , Position(start)
+  {
+  }
+
+  Point Start;
+  Point Position;
+  std::vector<HalfSpace> Limits; ///< of the rest of the way, relative to the origin of the error
+  int Contacts = 0;              ///< with M, up to the position
+  bool IsAtEnd = false;
 };
 
 /** Whether w is on the outer side of all faces of a star, exactly. */
@@ -51,25 +66,26 @@ public:
    * The position of least error on the outer side of all faces of a star, exactly. There, the
    * surface after the collapse encloses the surface before. Nothing if there is no such position.
    */
-  std::optional<Point> FindOutward(const Star& star, const LocalError& error);
+  std::optional<Point> FindOutward(const Star& star, const LocalError& error) const;
 
   /**
    * The position of least error that a vertex reaches from an outward position while its faces
    * slide along M. Decided in floating point: the caller has to check the result. Stops early if
    * the error will exceed `limit`, at a position of less error than that at the end, but more than
-   * `limit`.
+   * `limit`. The slide goes on from there in a later call for the same star, error and bounds.
    */
-  Point SlideInward(const Star& star, const LocalError& error, const Point& start,
-    double limit = std::numeric_limits<double>::infinity());
+  Point SlideInward(const Star& star, const LocalError& error, Slide& slide, double limit);
+
+  /** The same up to the end. */
+  Point SlideInward(const Star& star, const LocalError& error, const Point& start);
 
 private:
-  std::optional<Point> Minimize(const LocalError& error);
+  std::optional<Point> Minimize(const LocalError& error, std::vector<HalfSpace>& limits) const;
 
   Obstacle& M;
   double Diagonal;
-  double Slack;                   ///< between M and the bounds
-  std::vector<HalfSpace> Bounds;  ///< a polytope around M
-  std::vector<HalfSpace> Current; ///< relative to the origin of the error
+  double Slack;                  ///< between M and the bounds
+  std::vector<HalfSpace> Bounds; ///< a polytope around M
 };
 
 } // namespace carving::helper

@@ -61,7 +61,6 @@ void Decimator::SwapMoves()
   {
     std::swap(this->Surface.point(vertex), move.Other);
     this->Collisions.Update(Star(this->Surface, vertex));
-    this->PushAround(vertex);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <queue>
 #include <vector>
 
@@ -195,7 +194,7 @@ double FaceDistance<D>::FindFarther(const std::vector<FacetCorners<D>>& faces, d
   const std::size_t most = faces.size() * queries;
   double lower = 0.0;
   // Large pieces come before their parts: a point that is too far is mostly found by few of them.
-  std::deque<Piece> open;
+  std::vector<Piece> open;
   std::size_t asked = 0;
   const auto ask = [&](const FacetCorners<D>& corners, const FacetCorners<D>& start)
   {
@@ -210,16 +209,16 @@ double FaceDistance<D>::FindFarther(const std::vector<FacetCorners<D>>& faces, d
   {
     ask(face, nearby);
   }
-  while (!open.empty() && lower <= bound && asked < most)
+  std::size_t next = 0;
+  for (; next < open.size() && lower <= bound && asked < most; ++next)
   {
-    const Piece piece = open.front();
-    open.pop_front();
+    const Piece piece = open[next];
     for (const FacetCorners<D>& part : Split(piece.Corners, piece.Closest))
     {
       ask(part, piece.Closest);
     }
   }
-  return open.empty() ? 0.0 : std::max(lower, bound);
+  return next == open.size() ? 0.0 : std::max(lower, bound);
 }
 
 /**

@@ -97,16 +97,18 @@ bool Decimator::CollapseAll(
       }
       if (!this->Refill())
       {
-        if (this->UsesEnds &&
-          !this->Place.Widen(this->Surface.number_of_vertices(), this->Bound.Get()))
-        {
-          return false;
-        }
-        this->Slides.clear(); // they depend on how far positions may be
         if (!this->UsesEnds)
         {
           this->UsesEnds = true;
           this->Bound.ForgetAll();
+        }
+        else if (this->Place.Widen(this->Surface.number_of_vertices(), this->Bound.Get()))
+        {
+          this->Slides.clear(); // they depend on how far positions may be
+        }
+        else
+        {
+          return false;
         }
         this->AllowRefill();
       }
@@ -146,8 +148,8 @@ void Decimator::Try(HalfEdge edge)
   Point inward = start;
   if (!this->Nested && (few || attempt.Error.At(start) <= attempt.Limit))
   {
-    Slide whole(start);
-    Slide& slide = few ? this->GetSlide(this->Surface.edge(edge), start) : whole;
+    Slide fresh(start);
+    Slide& slide = few ? this->GetSlide(this->Surface.edge(edge), start) : fresh;
     inward = this->Place.SlideInward(attempt.Around, attempt.Error, slide, attempt.Limit);
   }
   const double least = attempt.Error.At(few ? inward : start);
@@ -300,7 +302,7 @@ void Decimator::Collapse(const Attempt& attempt, const Point& w)
 /**
  * Pushes the edges whose errors have changed, and those that may collapse now that could not
  * before, with their lower bounds. Of edges whose stars have changed alone, the costs remain as
- * estimates.
+ * estimates. The slides of all these edges start anew.
  */
 void Decimator::PushAround(Vertex vertex)
 {

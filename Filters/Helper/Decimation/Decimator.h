@@ -145,7 +145,7 @@ private:
   double VerticesAtRefill = std::numeric_limits<double>::infinity();
   bool UsesEnds = false; ///< whether edges also collapse into their ends
   std::map<Vertex, Move> Moves;
-  std::unordered_map<SurfaceMesh::size_type, Slide> Slides; ///< per edge whose star has not changed
+  std::unordered_map<SurfaceMesh::size_type, Slide> Slides; ///< of edges with unchanged stars
 };
 
 } // namespace carving::helper

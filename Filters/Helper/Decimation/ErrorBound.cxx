@@ -9,8 +9,9 @@ namespace
 {
 
 /**
- * Queries for the distance of a face. A face that they do not decide is turned away. Large faces
- * above fine facets take some hundred. With 64, surfaces kept up to five times as many vertices.
+ * Queries per face for the distances of new faces, which are turned away if these do not decide.
+ * Large faces above fine facets take some hundred. With 64, surfaces kept up to five times as many
+ * vertices.
  */
 constexpr int MostQueries = 4000;
 

@@ -76,7 +76,7 @@ public:
    */
   Point SlideInward(const Star& star, const LocalError& error, Slide& slide, double limit);
 
-  /** The same up to the end. */
+  /** Slides all the way. */
   Point SlideInward(const Star& star, const LocalError& error, const Point& start);
 
 private:

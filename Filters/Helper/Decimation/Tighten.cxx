@@ -54,7 +54,10 @@ void Decimator::MoveInward(Vertex vertex)
   }
 }
 
-/** Moves the tightened vertices back, or forth again. */
+/**
+ * Moves the tightened vertices back, or forth again. The queue needs no update: it always belongs to
+ * the surface before these moves.
+ */
 void Decimator::SwapMoves()
 {
   for (auto& [vertex, move] : this->Moves)

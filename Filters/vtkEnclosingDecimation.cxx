@@ -7,8 +7,8 @@
 #include "Convert/CellArrays.h"
 #include "Convert/PointOutput.h"
 #include "Objects/CompositeTree.h"
-#include "Process/HelperProcess.h"
 #include "Session/CarverStages.h"
+#include "Session/RepeatedDecimation.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -146,9 +146,9 @@ int vtkEnclosingDecimation::RequestData(
   {
     std::reverse(job.Decimation.Targets.begin(), job.Decimation.Targets.end());
   }
-  carving::Reply reply;
-  const HelperProcess::Outcome outcome = HelperProcess::Run(
-    job, reply,
+  RepeatedDecimation decimation;
+  const HelperProcess::Outcome outcome = decimation.Run(
+    job,
     [this](const carving::WorkProgress& progress)
     {
       this->UpdateProgress(progress.Fraction);
@@ -160,26 +160,24 @@ int vtkEnclosingDecimation::RequestData(
   {
     return 1;
   }
-  error = error.empty() ? reply.Error : error;
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
     return 0;
   }
-  const carving::Decimation& decimation = reply.Decimation;
-  for (std::size_t i = decimation.Surfaces.size(); i-- > 0;)
+  for (std::size_t i = job.Decimation.Targets.size(); i-- > 0;)
   {
-    const carving::DecimatedSurface& surface = decimation.Surfaces[i];
+    const auto& [origin, surface] = decimation.GetClosest(i);
     if (!surface.Reached)
     {
       vtkWarningMacro(<< "The target of " << job.Decimation.Targets[i]
                       << " is out of reach: the coarsest surface has "
-                      << decimation.Chain.Vertices - surface.Collapses
+                      << origin.Chain.Vertices - surface.Collapses
                       << " vertices. No further edge can collapse "
                       << "without a change of topology or a crossing.");
     }
     vtkNew<vtkPolyData> level;
-    FillSurface(decimation, surface, input, level);
+    FillSurface(origin, surface, input, level);
     const unsigned int block = all->GetNumberOfBlocks();
     all->SetBlock(block, level);
     SetBlockName(all, block, "LOD " + std::to_string(block));

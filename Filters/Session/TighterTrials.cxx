@@ -25,6 +25,14 @@ bool IsBoundFor(const LevelTrial& trial, const SimplifiedTarget& target)
 
 } // namespace
 
+double FindTighterBound(int vertices, double error)
+{
+  // For less gain, the mean distance grows too much.
+  return vertices <= DecimationOptions::FewVertices ? 0.94 * error
+    : vertices <= DecimationOptions::ManyVertices   ? 0.875 * error
+                                                    : HUGE_VAL;
+}
+
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
@@ -51,11 +59,10 @@ std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
     {
       const auto& [trial, surface] = closest[i];
       const int vertices = profile.Vertices[trial->Step];
-      const bool few = vertices <= DecimationOptions::FewVertices;
-      // For less gain, the mean distance grows too much.
-      const double bound = (few ? 0.94 : 0.875) * error;
-      const bool isAffordable = few || (isFirst && vertices <= DecimationOptions::ManyVertices);
-      if (isAffordable && surface->Reached && similar * surface->Error <= error)
+      const double bound = FindTighterBound(vertices, error);
+      const bool isAffordable = isFirst || vertices <= DecimationOptions::FewVertices;
+      if (isAffordable && std::isfinite(bound) && surface->Reached &&
+        similar * surface->Error <= error)
       {
         AddTarget(added, target, trial->Step, bound);
       }

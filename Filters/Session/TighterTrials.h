@@ -11,6 +11,12 @@
 #include <vector>
 
 /**
+ * The bound within which a surface with so many vertices is decimated again if its result is at a
+ * distance: a little less. Infinite for many vertices, which would take long.
+ */
+double FindTighterBound(int vertices, double error);
+
+/**
  * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
  * a little below the distances that have been reached. Not for steps with many vertices, which would
  * take long.

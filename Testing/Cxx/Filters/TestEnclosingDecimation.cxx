@@ -5,6 +5,7 @@
  */
 #include "Core/Mesh/Vector.h"
 #include "FilterTesting.h"
+#include "Process/HelperProcess.h"
 #include "Shapes.h"
 
 #include "vtkDoubleArray.h"
@@ -20,6 +21,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -40,6 +43,28 @@ vtkSmartPointer<vtkPolyData> Sphere()
 double GetValue(vtkPolyData* surface, const char* name)
 {
   return surface->GetFieldData()->GetArray(name)->GetTuple1(0);
+}
+
+/** The errors of a mesh that is decimated to numbers of vertices once, without bounds. */
+std::vector<double> ErrorsOfOneRun(
+  const carving::TriangleMesh& mesh, const std::vector<double>& numbers, bool nested)
+{
+  carving::Job job;
+  job.Kind = carving::JobKind::Decimate;
+  job.Mesh = mesh;
+  job.Decimation.Targets = numbers;
+  job.Decimation.Nested = nested;
+  carving::Reply reply;
+  std::string error;
+  HelperProcess::Run(
+    job, reply, [](const carving::WorkProgress&) { return true; }, error);
+  EXPECT_EQ(error + reply.Error, "");
+  std::vector<double> errors;
+  for (const carving::DecimatedSurface& surface : reply.Decimation.Surfaces)
+  {
+    errors.push_back(surface.Error);
+  }
+  return errors;
 }
 
 } // namespace
@@ -119,6 +144,47 @@ TEST(EnclosingDecimation, WarnsWhereItSticks)
   ASSERT_EQ(messages.Warnings.size(), 1u);
   EXPECT_NE(messages.Warnings[0].find("is out of reach"), std::string::npos);
   EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 6);
+}
+
+// Surfaces with a number of vertices are closer to the input than those of a single run.
+TEST(EnclosingDecimation, BringsSurfacesCloserThanOneRun)
+{
+  const carving::TriangleMesh torus = models::Torus(1.0, 0.3, 48, 24);
+  for (const bool nested : { false, true })
+  {
+    vtkNew<vtkEnclosingDecimation> filter;
+    filter->SetInputData(ToPolyData(torus));
+    filter->SetTarget(150);
+    filter->SetNested(nested);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 150);
+    EXPECT_LT(
+      GetValue(filter->GetOutput(), "Error"), 0.9 * ErrorsOfOneRun(torus, { 150 }, nested)[0]);
+  }
+}
+
+// Where one number is out of reach, others are brought closer, unless surfaces have to be nested.
+TEST(EnclosingDecimation, BringsSurfacesCloserUnlessTheyWouldNotBeNested)
+{
+  const carving::TriangleMesh torus = models::Torus(1.0, 0.3, 48, 24);
+  for (const bool nested : { false, true })
+  {
+    vtkNew<vtkEnclosingDecimation> filter;
+    const Messages messages(filter);
+    filter->SetInputData(ToPolyData(torus));
+    filter->SetTarget(3);
+    filter->AddTarget(150);
+    filter->SetNested(nested);
+    filter->Update();
+    ASSERT_EQ(messages.Warnings.size(), 1u);
+    EXPECT_NE(messages.Warnings[0].find("target of 3 is out of reach"), std::string::npos);
+    auto* all = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
+    ASSERT_EQ(all->GetNumberOfBlocks(), 2u);
+    const std::vector<double> errors = ErrorsOfOneRun(torus, { 150, 3 }, nested);
+    EXPECT_EQ(GetValue(vtkPolyData::SafeDownCast(all->GetBlock(0)), "Error"), errors[1]);
+    const double error = GetValue(vtkPolyData::SafeDownCast(all->GetBlock(1)), "Error");
+    EXPECT_TRUE(nested ? error == errors[0] : error < 0.9 * errors[0]) << error;
+  }
 }
 
 // An abort gives empty outputs without an error, and the next update works.

@@ -106,7 +106,7 @@ esac
 say "Building and testing on $other"
 # All tests end within 75 minutes, also on a slow machine.
 limit=$((4500 - SECONDS))
-limit=$((limit < 1 ? 1 : limit < 900 ? limit : 900))
+limit=$((limit < 1 ? 1 : limit < 1500 ? limit : 1500))
 result=0
 timeout --kill-after=60 $limit bash "$root/Testing/run_on.sh" $other 'bash Testing/run.sh slice' || result=$?
 case $result in

@@ -19,11 +19,10 @@ test_packages=(
 paraview_packages=(
   libdouble-conversion-dev libexpat1 libexpat1-dev libgl-dev libopenmpi-dev mpi-default-bin
   paraview paraview-dev python3-xlib)
-# The Qt of ParaView; ParaView draws its icons with the second package. And whether builds are unity builds: in these,
-# GCC 14 of Debian 13 warns of mistakes that are none.
+# The Qt of ParaView; ParaView draws its icons with the second package.
 case $(. /etc/os-release && printf '%s' "${VERSION_ID:-}") in
-  12) paraview_packages+=(qtbase5-dev libqt5svg5) unity=ON ;;
-  *) paraview_packages+=(qt6-base-dev qt6-svg-plugins) unity=OFF ;;
+  12) paraview_packages+=(qtbase5-dev libqt5svg5) ;;
+  *) paraview_packages+=(qt6-base-dev qt6-svg-plugins) ;;
 esac
 
 say() {
@@ -90,7 +89,7 @@ build() {
   say "Building in $directory"
   {
     cmake -S "${source:-$root}" -B "$directory" -G Ninja -DCMAKE_CXX_COMPILER_LAUNCHER=ccache \
-      -DCMAKE_UNITY_BUILD=$unity "$@" &&
+      -DCMAKE_UNITY_BUILD=ON "$@" &&
       ninja -C "$directory" ${targets:-}
   } >"$log" 2>&1 || { grep -vE '^-- ' "$log" | tail -n 60 >&2; die "The build failed; the whole log is $log"; }
 }

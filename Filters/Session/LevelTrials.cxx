@@ -16,39 +16,42 @@ using carving::SimplifiedTarget;
 /** Whether a surface for `value` may be taken for a target: for this value, or a smaller number. */
 bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTarget& target)
 {
-  return value == target.Value ||
-    (target.Type != LevelTarget::ErrorBound && value < target.Value && surface.Reached);
+  return value == target.Value || target.Type == LevelTarget::ErrorBound ||
+    (value < target.Value && surface.Reached);
 }
 
 /**
  * Whether the error tells how good a surface is, rather than the number of vertices: the surface has
  * reached a number, or is too far for an error bound.
  */
-bool IsByError(LevelTarget type, const DecimatedSurface& surface)
+bool IsByError(const SimplifiedTarget& target, const DecimatedSurface& surface)
 {
-  return (surface.Reached != 0) == (type != LevelTarget::ErrorBound);
+  return HasReached(surface, target) == (target.Type != LevelTarget::ErrorBound);
 }
 
-bool IsBetter(LevelTarget type, const BestTrial& a, const BestTrial& b)
+bool IsBetter(const SimplifiedTarget& target, const BestTrial& a, const BestTrial& b)
 {
-  if (a.Surface->Reached != b.Surface->Reached)
+  const bool reached = HasReached(*a.Surface, target);
+  if (reached != HasReached(*b.Surface, target))
   {
-    return a.Surface->Reached > b.Surface->Reached;
+    return reached;
   }
-  return IsByError(type, *a.Surface)
+  return IsByError(target, *a.Surface)
     ? a.Surface->Error < b.Surface->Error
     : CountVertices(*a.Trial, *a.Surface) < CountVertices(*b.Trial, *b.Surface);
 }
 
 /**
- * Whether a coarser surface of the same trial is better. Where both are reached, it has to be closer
- * by more than the accuracy of errors, which is 1 %.
+ * Whether a coarser surface of the same trial is better. Where both reach a number, it has to be
+ * closer by more than the accuracy of errors, which is 1 %.
  */
-bool IsCoarserBetter(LevelTarget type, const BestTrial& coarser, const BestTrial& finer)
+bool IsCoarserBetter(
+  const SimplifiedTarget& target, const BestTrial& coarser, const BestTrial& finer)
 {
   constexpr double clearly = 0.98;
-  return IsBetter(type, coarser, finer) &&
-    (!finer.Surface->Reached || coarser.Surface->Error < clearly * finer.Surface->Error);
+  return IsBetter(target, coarser, finer) &&
+    (target.Type == LevelTarget::ErrorBound || !finer.Surface->Reached ||
+      coarser.Surface->Error < clearly * finer.Surface->Error);
 }
 
 /**
@@ -70,14 +73,14 @@ bool IsCloseEnough(
 }
 
 /** How bad a surface is for a target, as a logarithm. */
-double CostOf(LevelTarget type, const BestTrial& choice)
+double CostOf(const SimplifiedTarget& target, const BestTrial& choice)
 {
   constexpr double notReached = 1e3;
   const DecimatedSurface& surface = *choice.Surface;
-  const double cost = IsByError(type, surface)
+  const double cost = IsByError(target, surface)
     ? std::log(std::max(surface.Error, DBL_MIN))
     : std::log(static_cast<double>(CountVertices(*choice.Trial, surface)));
-  return surface.Reached ? cost : notReached + cost;
+  return HasReached(surface, target) ? cost : notReached + cost;
 }
 
 } // namespace
@@ -120,6 +123,12 @@ int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surf
   return trial.Result.Chain.Vertices - surface.Collapses;
 }
 
+bool HasReached(const DecimatedSurface& surface, const SimplifiedTarget& target)
+{
+  return target.Type == LevelTarget::ErrorBound ? surface.Error <= target.Value
+                                                : surface.Reached != 0;
+}
+
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
 {
@@ -133,7 +142,7 @@ std::vector<BestTrial> RankTrials(
     {
       const BestTrial next = { &trial, &surfaces[i] };
       if (MayServe(surfaces[i], trial.Targets[i].Value, target) &&
-        (!best.Trial || IsCoarserBetter(target.Type, next, best)))
+        (!best.Trial || IsCoarserBetter(target, next, best)))
       {
         best = next;
       }
@@ -144,7 +153,7 @@ std::vector<BestTrial> RankTrials(
     }
   }
   std::stable_sort(found.begin(), found.end(),
-    [&](const BestTrial& a, const BestTrial& b) { return IsBetter(target.Type, a, b); });
+    [&](const BestTrial& a, const BestTrial& b) { return IsBetter(target, a, b); });
   return found;
 }
 
@@ -182,7 +191,7 @@ std::vector<BestTrial> ChooseTrials(
           choice.Coarser = &coarser;
         }
       }
-      choice.Cost += CostOf(targets[i].Type, next);
+      choice.Cost += CostOf(targets[i], next);
       choices.push_back(choice);
     }
   }

@@ -34,6 +34,7 @@ struct LevelTrial
   std::vector<int> Cells;  ///< per face of the step's surface: the cell of the stored stream
   int SurfaceComponents = 0;
   int SurfaceGenus = 0;
+  int VerticesThatTouch = 0;  ///< that share their points with others, and stay
   double LeastVertices = 0.0; ///< that the topology of the step's surface needs, in practice
 };
 
@@ -75,9 +76,12 @@ double CountVertices(const carving::SimplifiedTarget& target);
 /** The number of vertices of a surface that a trial has made. */
 int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surface);
 
+/** Whether a surface serves a target. One for another error bound may be within this one, too. */
+bool HasReached(const carving::DecimatedSurface& surface, const carving::SimplifiedTarget& target);
+
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
- * number, or for a smaller one if that is clearly closer to M. Those that reach a number come first,
+ * number, or for a smaller one if that is clearly closer to M, or for any error bound. Those that reach a number come first,
  * the closest to M before all. For an error bound, those within it come first, with the fewest
  * vertices before all; the closest of the others follows.
  */

@@ -76,6 +76,21 @@ void AddBestLevels(const std::vector<LevelTrial>& trials,
   }
 }
 
+/** Names the first step that could not be decimated, and the number of others. */
+void AddProblems(const std::vector<LevelTrial>& trials, std::vector<std::string>& problems)
+{
+  const auto hasFailed = [](const LevelTrial& trial) { return !trial.Error.empty(); };
+  const auto first = std::find_if(trials.begin(), trials.end(), hasFailed);
+  if (first != trials.end())
+  {
+    const auto others = std::count_if(first + 1, trials.end(), hasFailed);
+    problems.push_back("Step " + std::to_string(first->Step) +
+      " of the stream cannot be simplified. " + first->Error +
+      (others > 0 ? " Nor can " + std::to_string(others) + (others == 1 ? " other." : " others.")
+                  : ""));
+  }
+}
+
 } // namespace
 
 std::vector<SimplifiedTarget> MakeSimplifiedTargets(
@@ -131,7 +146,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   const auto tighter = [&] { return PlanTighterTrials(profile, targets, trials); };
   std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
-    [&] { return PlanTrials(profile, targets); },
+    [&] { return PlanTrials(profile, targets, trials); },
     [&] { return between(many); },
     [&] { return between(many); },
     [&] { return between(many); },
@@ -154,14 +169,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
     }
     done += share;
   }
-  for (const LevelTrial& trial : trials)
-  {
-    if (!trial.Error.empty())
-    {
-      problems.push_back("Step " + std::to_string(trial.Step) +
-        " of the stream cannot be simplified. " + trial.Error);
-    }
-  }
+  AddProblems(trials, problems);
   AddBestLevels(trials, targets, carved);
   return true;
 }

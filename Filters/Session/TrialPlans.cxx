@@ -19,6 +19,18 @@ bool HaveSameTopology(const Profile& profile, int a, int b)
     profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
 }
 
+/**
+ * Whether a step has been found to keep more vertices than a target asks for because parts touch
+ * there, as both sides of a sheet do. Coarser steps of the same topology may keep fewer.
+ */
+bool TouchesTooMuch(const std::vector<LevelTrial>& trials, int step, const SimplifiedTarget& target)
+{
+  return target.Type != LevelTarget::ErrorBound &&
+    std::any_of(trials.begin(), trials.end(),
+      [&](const LevelTrial& trial)
+      { return trial.Step == step && trial.VerticesThatTouch > CountVertices(target); });
+}
+
 /** The last step up to `last` with at most this many vertices; -1 if C0 has more. */
 int FindStep(const Profile& profile, int last, double vertices)
 {
@@ -73,7 +85,8 @@ std::vector<int> FindCoarsestSteps(const Profile& profile, const SimplifiedTarge
 }
 
 /** The steps before the last one that are decimated for a target at first, from fine to coarse. */
-std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& target)
+std::vector<int> SelectSteps(
+  const Profile& profile, const SimplifiedTarget& target, const std::vector<LevelTrial>& trials)
 {
   const int last = target.LastStep;
   const std::vector<int> coarsest = FindCoarsestSteps(profile, target);
@@ -86,7 +99,8 @@ std::vector<int> SelectSteps(const Profile& profile, const SimplifiedTarget& tar
     {
       break;
     }
-    if (!HaveSameTopology(profile, step, steps.back()))
+    if (!HaveSameTopology(profile, step, steps.back()) ||
+      TouchesTooMuch(trials, steps.back(), target))
     {
       steps.push_back(step);
     }
@@ -128,12 +142,12 @@ bool IsPlannedFor(const LevelTrial& trial, double value)
  * other.
  */
 std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<LevelTrial>& trials,
-  const LevelTrial& best, double value)
+  const LevelTrial& best, const SimplifiedTarget& target)
 {
   int coarser = best.Step, finer = best.Step;
   for (const LevelTrial& trial : trials)
   {
-    const int step = IsPlannedFor(trial, value) ? trial.Step : best.Step;
+    const int step = IsPlannedFor(trial, target.Value) ? trial.Step : best.Step;
     if (step < best.Step && (coarser == best.Step || step > coarser))
     {
       coarser = step;
@@ -152,7 +166,8 @@ std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<Leve
       ? (low + high) / 2
       : FindStep(profile, high,
           std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
-    if (middle > low && middle < high && !HaveSameTopology(profile, middle, high))
+    if (middle > low && middle < high &&
+      (!HaveSameTopology(profile, middle, high) || TouchesTooMuch(trials, high, target)))
     {
       steps.push_back(middle);
     }
@@ -177,15 +192,15 @@ std::vector<LevelTrial> PlanTrialsOfLastSteps(const std::vector<SimplifiedTarget
   return trials;
 }
 
-std::vector<LevelTrial> PlanTrials(
-  const Profile& profile, const std::vector<SimplifiedTarget>& targets)
+std::vector<LevelTrial> PlanTrials(const Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& known)
 {
   std::vector<LevelTrial> trials;
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     // A step that is good for a coarse level may be better for a finer one than any other, too.
     const auto end = FindEnd(targets, target);
-    for (const int step : SelectSteps(profile, *target))
+    for (const int step : SelectSteps(profile, *target, known))
     {
       AddTargets(trials, target->LastStep, step, target, end);
     }
@@ -214,8 +229,8 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     const BestTrial best = FindBestTrial(trials, *target);
-    for (const int step : best.Trial ? FindStepsBetween(profile, trials, *best.Trial, target->Value)
-                                     : std::vector<int>())
+    for (const int step :
+      best.Trial ? FindStepsBetween(profile, trials, *best.Trial, *target) : std::vector<int>())
     {
       if (profile.Vertices[step] <= mostVertices)
       {

@@ -28,9 +28,9 @@ const carving::ResolvedMesh& GetMesh(
 constexpr double Hope = 0.9;
 
 /** Counts the vertices that share their points with others. The points are in ascending order. */
-std::size_t CountCopies(const std::vector<int>& points)
+int CountCopies(const std::vector<int>& points)
 {
-  std::size_t copies = 0;
+  int copies = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     copies += (i > 0 && points[i] == points[i - 1]) ||
@@ -65,7 +65,8 @@ double FindLeastKept(const std::vector<LevelTrial>& trials)
 double FewestVertices(const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
 {
   const BestTrial best = FindBestTrial(trials, target);
-  return best.Trial && best.Surface->Reached ? CountVertices(*best.Trial, *best.Surface) : HUGE_VAL;
+  return best.Trial && HasReached(*best.Surface, target) ? CountVertices(*best.Trial, *best.Surface)
+                                                         : HUGE_VAL;
 }
 
 DecimationTarget AsDecimationTarget(LevelTarget type)
@@ -100,8 +101,9 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   trial.Points = cut.Points;
   // A closed surface has at least four vertices. In practice, each handle keeps about as many.
   // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
+  trial.VerticesThatTouch = CountCopies(cut.Points);
   trial.LeastVertices = std::max(4.0 * topology.Components + 4.0 * std::max(topology.Genus, 0),
-    static_cast<double>(CountCopies(cut.Points)));
+    static_cast<double>(trial.VerticesThatTouch));
   DropTargetsIf(trial,
     [&, least = FindLeastKept(this->Trials) * trial.LeastVertices](double value)
     {
@@ -150,7 +152,7 @@ bool TrialRunner::Finish(HelperProcess& process, double begin, double end, Level
     { return this->Stages.Report(SimplifyStage, begin + (end - begin) * progress.Fraction); },
     reply, trial.Error);
   trial.Result = std::move(reply.Decimation);
-  trial.Error += reply.Error;
+  trial.Error = trial.Error.empty() ? reply.Error : trial.Error;
   return outcome != HelperProcess::Outcome::Aborted;
 }
 

@@ -46,7 +46,7 @@ bool Attempts::TryInChild(const std::string& attempt, const std::string& subject
   }
   if (!this->HasFinished)
   {
-    this->Failures.Add(attempt, { subject + ending.Mistake, ending.ByLimit });
+    this->Failures.Add(attempt, ending, subject);
   }
   return ending.Mistake.empty();
 }
@@ -81,7 +81,7 @@ bool Attempts::TryRecovery(RecoveryEffort effort, const std::function<bool()>& m
     LimitsOfAttempt(this->TheJob, SurfacePoints::None, this->TheReply.Result.Surface.Facets.size());
   const auto goal =
     effort == RecoveryEffort::Little ? Task::Goal::QuicklyRecovered : Task::Goal::Recovered;
-  return this->TryInChild(this->TheReply.Strategy + ": ", "", limits, { goal }, meanwhile);
+  return this->TryInChild(this->TheReply.Strategy + ": ", "recovery ", limits, { goal }, meanwhile);
 }
 
 bool Attempts::RunTetGen(int order, SurfacePoints surfacePoints)

@@ -159,10 +159,17 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
   return false;
 }
 
-/** Tries M with its points moved, on ever finer grids. */
+/** Tries M with points of intersection alone moved, and with all points moved. */
 bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
+  const std::optional<FlushFrame> frame = FlushFrame::Find(given);
+  return (frame && this->TrySnapped(given, frame)) || this->TrySnapped(given, std::nullopt);
+}
+
+/** Tries ever finer grids, along the axes of a frame if there is one. */
+bool ExactAttempts::TrySnapped(const ResolvedMesh& given, const std::optional<FlushFrame>& frame)
+{
   const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
   const double maximumPairs = MaximumPairs(this->TheJob, given.Facets.size());
   double spacing = GridSpacing(tolerance);
@@ -172,13 +179,16 @@ bool ExactAttempts::TrySnapped()
   {
     this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
     this->Host.Begin(Stage::Resolve);
-    std::string mistake = Snap(given, spacing, this->Host.Report, maximumPairs, snapped);
+    std::string mistake = frame
+      ? SnapInFrame(given, *frame, spacing, this->Host.Report, maximumPairs, snapped)
+      : Snap(given, spacing, this->Host.Report, maximumPairs, snapped);
     this->Host.End();
     mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
     if (!mistake.empty())
     {
       std::ostringstream text;
-      text << "Snapping on a grid of " << spacing << ": " << mistake;
+      text << "Snapping on a grid of " << spacing << (frame ? " along flush faces" : "") << ": "
+           << mistake;
       this->Failures.Add("", { text.str() });
     }
     else if (this->TryMoved(snapped))

@@ -10,6 +10,7 @@
 #include "Helper/Resolve/Snap.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace carving::helper
@@ -29,6 +30,7 @@ private:
   bool MayRecover() const;
   bool TryFirst(const std::function<bool()>& isResolved = {});
   bool TryWithoutInterior();
+  bool TrySnapped(const ResolvedMesh& given, const std::optional<FlushFrame>& frame);
   std::string CheckSnapped(const SnappedMesh& snapped, double tolerance) const;
   bool TryMoved(SnappedMesh& snapped);
 };

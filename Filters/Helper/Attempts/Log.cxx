@@ -4,12 +4,12 @@
 namespace carving::helper
 {
 
-void Log::Add(const std::string& attempt, const Ending& ending)
+void Log::Add(const std::string& attempt, const Ending& ending, const std::string& subject)
 {
-  this->Attempts.Add(attempt + ending.Mistake);
+  this->Attempts.Add(attempt + subject + ending.Mistake);
   if (ending.ByLimit && this->Limits.Get().find(ending.Mistake + "\n") == std::string::npos)
   {
-    this->Limits.Add(ending.Mistake);
+    this->Limits.Add(subject + ending.Mistake);
   }
 }
 

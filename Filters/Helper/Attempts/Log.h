@@ -19,8 +19,11 @@ namespace carving::helper
 class Log
 {
 public:
-  /** `attempt` is the beginning of the line that the mistake ends. */
-  void Add(const std::string& attempt, const Ending& ending);
+  /**
+   * `attempt` is the beginning of the line that the mistake ends, and `subject` that of the mistake.
+   * A limit is named with the first subject alone.
+   */
+  void Add(const std::string& attempt, const Ending& ending, const std::string& subject = {});
   void Clear();
   void CopyTo(Reply& reply) const;
 

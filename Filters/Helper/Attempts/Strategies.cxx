@@ -11,21 +11,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 namespace carving::helper
 {
 namespace
 {
 
-/** The lines as one sentence. */
-std::string Joined(std::string lines)
+/** The lines, which may end in full stops, as one sentence. */
+std::string Joined(const std::string& lines)
 {
-  while (!lines.empty() && lines.back() == '\n')
+  std::istringstream in(lines);
+  std::string joined, line;
+  while (std::getline(in, line))
   {
-    lines.pop_back();
+    line.erase(line.find_last_not_of('.') + 1);
+    joined += (joined.empty() ? "" : "; ") + line;
   }
-  std::replace(lines.begin(), lines.end(), '\n', ';');
-  return lines + ".";
+  return joined + ".";
 }
 
 /** One run of TryStrategies. Functions named Try return whether a reply has been written. */

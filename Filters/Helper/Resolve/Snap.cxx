@@ -91,4 +91,31 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
   return mistake;
 }
 
+std::string SnapInFrame(const ResolvedMesh& given, const FlushFrame& frame, double spacing,
+  const Progress& progress, double maximumPairs, SnappedMesh& snapped)
+{
+  ResolvedMesh turned = given;
+  for (std::size_t i = 0; i < turned.Points.size(); ++i)
+  {
+    turned.Points[i] = frame.ToFrame(turned.Points[i]);
+    turned.PointSources[i] = static_cast<int>(i);
+  }
+  std::string mistake = Snap(turned, spacing, progress, maximumPairs, snapped);
+  ResolvedMesh& mesh = snapped.Mesh;
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    int& source = mesh.PointSources[i];
+    mesh.Points[i] = source >= 0 ? given.Points[source] : frame.FromFrame(mesh.Points[i]);
+    source = source >= 0 ? given.PointSources[source] : -1;
+  }
+  mesh = Clean(mesh);
+  if (mistake.empty())
+  {
+    int left = 0; // rounding may have made some
+    mistake = Resolve(mesh, left, progress, maximumPairs);
+  }
+  snapped.Distance = DistanceFromSources(given, mesh);
+  return mistake;
+}
+
 } // namespace carving::helper

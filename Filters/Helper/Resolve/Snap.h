@@ -9,6 +9,7 @@
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Progress.h"
+#include "Helper/Resolve/FlushFrame.h"
 
 #include <string>
 
@@ -42,6 +43,14 @@ struct SnappedMesh
  */
 std::string Snap(const ResolvedMesh& given, double spacing, const Progress& progress,
   double maximumPairs, SnappedMesh& snapped);
+
+/**
+ * Does the same on a grid along the axes of a frame. Given points keep their places: only points of
+ * intersection are rounded to the grid. So faces that are flush but for rounding are resolved as if
+ * they lay in one plane.
+ */
+std::string SnapInFrame(const ResolvedMesh& given, const FlushFrame& frame, double spacing,
+  const Progress& progress, double maximumPairs, SnappedMesh& snapped);
 
 } // namespace carving::helper
 

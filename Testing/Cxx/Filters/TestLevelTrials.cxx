@@ -227,13 +227,63 @@ TEST(LevelTrials, AreRankedByVerticesWithinABound)
   EXPECT_EQ(ChooseTrials(trials, { target }).front().Trial, &trials[0]);
 }
 
+// A surface for another error bound is taken if it has fewer vertices within the bound, or is closer
+// where none is within.
+TEST(LevelTrials, ServeOtherBounds)
+{
+  std::vector<LevelTrial> trials = { MakeTrial(50, { { 400, 0.09 }, { 200, 0.25 } }),
+    MakeTrial(LastStep, { { 500, 0.3 } }) };
+  trials[0].Targets = { { 0.1 }, { 0.3 } };
+  trials[1].Targets = { { 0.2 } };
+  trials[1].Result.Surfaces[0].Reached = false;
+  const auto find = [&](double bound)
+  {
+    const BestTrial best = FindBestTrial(trials, { LevelTarget::ErrorBound, LastStep, bound, {} });
+    return CountVertices(*best.Trial, *best.Surface);
+  };
+  EXPECT_EQ(find(0.3), 200);
+  EXPECT_EQ(find(0.2), 400);
+  EXPECT_EQ(find(0.01), 400);
+}
+
+// Where too many vertices of the last step touch others, as those of both sides of a sheet do, an
+// earlier step of the same topology is tried, and then steps between.
+TEST(LevelTrials, TryEarlierStepsWherePartsTouch)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices[step] = 100 * (step + 1);
+    profile.Tunnels[step] = 0;
+  }
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 300.0 });
+  std::vector<LevelTrial> trials = { MakeTrial(LastStep, {}) };
+  const auto findSteps = [&]
+  {
+    std::vector<int> steps;
+    for (const LevelTrial& trial : PlanTrials(profile, targets, trials))
+    {
+      steps.push_back(trial.Step);
+    }
+    return steps;
+  };
+  EXPECT_EQ(findSteps(), (std::vector<int>{ 2, 0 }));
+  trials[0].VerticesThatTouch = 9000;
+  trials[0].Dropped = { 300.0 };
+  EXPECT_EQ(findSteps(), (std::vector<int>{ 49, 2, 0 })); // 5,000 of 10,100 vertices; 300; the hull
+  trials.push_back(MakeTrial(49, { { 300, 0.1 } }));
+  const std::vector<LevelTrial> between = PlanTrialsBetween(profile, targets, trials, VerticesOfM);
+  ASSERT_EQ(between.size(), 1u);
+  EXPECT_EQ(between[0].Step, 70); // 7,106 vertices are between 5,000 and 10,100
+}
+
 // No step is tried that is more than a quarter farther than an error bound. The coarsest one that is
 // left is tried, and so is the coarsest one within the bound.
 TEST(LevelTrials, StayNearABound)
 {
   std::vector<int> steps;
   for (const LevelTrial& trial :
-    PlanTrials(TunnelAtEachStep(), { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }))
+    PlanTrials(TunnelAtEachStep(), { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }, {}))
   {
     steps.push_back(trial.Step);
   }
@@ -250,7 +300,8 @@ TEST(LevelTrials, StartFromTheStepsThatTellMost)
   }
   const auto expectOrder = [&](LevelTarget type, const auto& isBefore)
   {
-    const std::vector<LevelTrial> trials = PlanTrials(profile, { { type, LastStep, 90.0, {} } });
+    const std::vector<LevelTrial> trials =
+      PlanTrials(profile, { { type, LastStep, 90.0, {} } }, {});
     ASSERT_GT(trials.size(), 2u);
     for (std::size_t i = 1; i < trials.size(); ++i)
     {

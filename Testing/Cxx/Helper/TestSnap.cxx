@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <vector>
 
 using namespace carving;
 using namespace carving::helper;
@@ -38,6 +41,25 @@ double FarthestMove(const TriangleMesh& given, const ResolvedMesh& mesh)
     }
   }
   return farthest;
+}
+
+/** Two plates that cross, with flush tops and bottoms, in a random rotation. */
+TriangleMesh FlushPlates(std::mt19937_64& random)
+{
+  const TriangleMesh plates = models::Joined(models::Box({ -1.0, -0.3, 0.0 }, { 1.0, 0.3, 0.1 }),
+    models::Box({ -0.3, -1.0, 0.0 }, { 0.3, 1.0, 0.1 }));
+  return models::Rotated(plates, random);
+}
+
+double AreaOf(const ResolvedMesh& mesh)
+{
+  double area = 0.0;
+  for (const auto& [a, b, c] : mesh.Facets)
+  {
+    const Point& p = mesh.Points[a];
+    area += Length(Cross(mesh.Points[b] - p, mesh.Points[c] - p)) / 2.0;
+  }
+  return area;
 }
 
 } // namespace
@@ -125,4 +147,71 @@ TEST(Snap, EndsWhereThereIsTooMuchToResolve)
   const std::string mistake =
     Snap(Clean(AsResolved(models::Soup(30, random))), Spacing, {}, 1.0, snapped);
   EXPECT_NE(mistake.find("pairs of triangles"), std::string::npos) << mistake;
+}
+
+// In any rotation, parts whose faces are flush but for rounding are resolved without moving a point
+// of theirs. Where faces overlap, one is left.
+TEST(SnapInFrame, ResolvesFlushFaces)
+{
+  constexpr double tolerance = 1e-12;
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 30; ++i)
+  {
+    const TriangleMesh plates = FlushPlates(random);
+    const ResolvedMesh given = Clean(AsResolved(plates));
+    const std::optional<FlushFrame> frame = FlushFrame::Find(given);
+    ASSERT_TRUE(frame);
+    SnappedMesh snapped;
+    ASSERT_EQ(SnapInFrame(given, *frame, GridSpacing(tolerance), {}, HUGE_VAL, snapped), "");
+    EXPECT_EQ(checks::CountCrossings(snapped.Mesh.Points, snapped.Mesh.Facets), 0);
+    EXPECT_EQ(FarthestMove(plates, snapped.Mesh), 0.0);
+    EXPECT_LE(snapped.Distance, tolerance);
+    // Those of both plates, less one of the two squares at the top and at the bottom.
+    const double area = 2.0 * 2.0 * (2.0 * 0.6 + 2.0 * 0.1 + 0.6 * 0.1) - 2.0 * 0.6 * 0.6;
+    EXPECT_NEAR(AreaOf(snapped.Mesh), area, 1e-9);
+  }
+}
+
+// A frame is found where faces are parallel to each other, but not to the axes.
+TEST(FlushFrame, IsFoundForParallelFaces)
+{
+  std::mt19937_64 random(7);
+  const auto hasFrame = [](const TriangleMesh& mesh)
+  { return FlushFrame::Find(Clean(AsResolved(mesh))).has_value(); };
+  const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 2, 3 });
+  EXPECT_TRUE(hasFrame(models::Rotated(box, random)));
+  EXPECT_FALSE(hasFrame(box));
+  EXPECT_FALSE(hasFrame(models::Rotated(models::Sphere(3), random)));
+}
+
+// The directions of the frame are those of a rotated box, in which its edges are parallel to the
+// axes, and points return to their places.
+TEST(FlushFrame, TurnsFacesToTheAxes)
+{
+  constexpr double roundings = 1e-14;
+  std::mt19937_64 random(8);
+  for (int i = 0; i < 20; ++i)
+  {
+    const TriangleMesh box = models::Rotated(models::Box({ 0, 0, 0 }, { 1, 2, 3 }), random);
+    const FlushFrame frame = *FlushFrame::Find(Clean(AsResolved(box)));
+    std::array<std::vector<double>, 3> places;
+    for (const Point& p : box.Points)
+    {
+      const Point inFrame = frame.ToFrame(p);
+      EXPECT_LE(Length(frame.FromFrame(inFrame) - p), roundings);
+      for (int k = 0; k < 3; ++k)
+      {
+        std::vector<double>& known = places[k];
+        const auto isKnown = [&](double x) { return std::abs(x - inFrame[k]) <= roundings; };
+        if (std::none_of(known.begin(), known.end(), isKnown))
+        {
+          known.push_back(inFrame[k]);
+        }
+      }
+    }
+    for (const std::vector<double>& known : places)
+    {
+      EXPECT_EQ(known.size(), 2u); // the planes of two sides
+    }
+  }
 }

@@ -81,9 +81,9 @@ bool HasReached(const carving::DecimatedSurface& surface, const carving::Simplif
 
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
- * number, or for a smaller one if that is clearly closer to M, or for any error bound. Those that reach a number come first,
- * the closest to M before all. For an error bound, those within it come first, with the fewest
- * vertices before all; the closest of the others follows.
+ * number, or for a smaller one if that is clearly closer to M, or for any error bound. Those that
+ * reach a number come first, the closest to M before all. For an error bound, those within it come
+ * first, with the fewest vertices before all; the closest of the others follows.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);

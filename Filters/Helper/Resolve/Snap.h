@@ -45,9 +45,9 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
   double maximumPairs, SnappedMesh& snapped);
 
 /**
- * Does the same on a grid along the axes of a frame. Given points keep their places: only points of
- * intersection are rounded to the grid. So faces that are flush but for rounding are resolved as if
- * they lay in one plane.
+ * Does the same on a grid along the axes of a frame. Given points keep their places, unless several
+ * become one: only points of intersection are rounded to the grid. So faces that are flush but for
+ * rounding are resolved as if they lay in one plane.
  */
 std::string SnapInFrame(const ResolvedMesh& given, const FlushFrame& frame, double spacing,
   const Progress& progress, double maximumPairs, SnappedMesh& snapped);

@@ -126,6 +126,7 @@ std::string ResolvePairs(
   // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
   // more.
   constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
+  constexpr std::size_t hopeless = 3; // no mesh was ever resolved after so great a growth
   const std::size_t given = pairs.size();
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
@@ -146,7 +147,9 @@ std::string ResolvePairs(
     mesh = Clean(Split(mesh, std::move(pairs), progress));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
     const bool explodes = pairs.size() > std::max(2 * before, given);
-    explosions = explodes ? explosions + 1 : 0;
+    explosions = pairs.size() > hopeless * std::max(before, given) ? maximumExplosions
+      : explodes                                                   ? explosions + 1
+                                                                   : 0;
   }
   return {};
 }

@@ -10,10 +10,10 @@
  * "Silhouette clipping", 2000), and then slides inward until its faces touch the input. This filter
  * is not part of the paper on carving. The work is done by the helper program.
  *
- * An input of up to 20,000 points is decimated to numbers of vertices or triangles twice. The second
- * time, no collapse may make a face that is farther than a bound, which rises from 40 % of what the
- * first time has reached until it leads to the number. Surfaces are a third to a half closer to the
- * input for that, and the whole takes three to six times as long.
+ * For a number of vertices or triangles, an input of up to 20,000 points is decimated twice. The
+ * second time, no collapse may make a face that is farther from the input than a bound. The bound
+ * rises from about a third of the distance of the first result until the number is reached. The
+ * second result is a third to a half closer. Both take three to six times as long as the first.
  *
  * To reduce the number of components or tunnels as well, carve first (vtkTopologyCarver) and
  * decimate a level.

@@ -4,7 +4,6 @@
 #include "Session/TighterTrials.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace
@@ -59,7 +58,7 @@ HelperProcess::Outcome RepeatedDecimation::Run(
 {
   constexpr double firstShare = 0.2; // of the time
   const bool mayRepeat = job.Decimation.Type != carving::DecimationTarget::ErrorBound &&
-    std::isfinite(FindTighterBound(static_cast<int>(job.Mesh.Points.size()), 0.0));
+    job.Mesh.Points.size() <= DecimationOptions::ManyVertices;
   const double begin = mayRepeat ? firstShare : 1.0;
   HelperProcess::Outcome outcome = this->RunOnce(job, 0.0, begin, observer, error);
   if (outcome != HelperProcess::Outcome::Success || !mayRepeat)

@@ -21,7 +21,7 @@ class Log
 public:
   /**
    * `attempt` is the beginning of the line that the mistake ends, and `subject` that of the mistake.
-   * A limit is named with the first subject alone.
+   * A limit that ends several attempts is listed once, with the first subject.
    */
   void Add(const std::string& attempt, const Ending& ending, const std::string& subject = {});
   void Clear();

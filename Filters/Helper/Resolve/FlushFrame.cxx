@@ -20,13 +20,13 @@ struct Facing
   double Area;
 };
 
-/** Far above the angles that rounding makes, and far below those that are meant. */
+/** The sine of an angle far above those that rounding makes, and far below those that are meant. */
 constexpr double Parallel = 1e-9;
 
-/** Parallel faces of less than this share of the area are not what makes resolving fail. */
+/** Parallel faces with less than this share of the area are not worth an attempt. */
 constexpr double LeastShare = 0.05;
 
-/** The normals of all triangles, those of opposite ones turned over. */
+/** The normals and areas of all triangles. Of two opposite normals, one is turned over. */
 std::vector<Facing> FindFacings(const ResolvedMesh& mesh)
 {
   std::vector<Facing> facings;
@@ -51,7 +51,8 @@ std::optional<Facing> FindLargest(std::vector<Facing> facings, const Point& axis
   facings.erase(std::remove_if(facings.begin(), facings.end(),
                   [&](const Facing& f) { return std::abs(Dot(f.Normal, axis)) > Parallel; }),
     facings.end());
-  const auto cell = [](double x) { return std::llround(x / Parallel / 8.0); };
+  constexpr double cellSize = 8.0 * Parallel; // so that few cells divide parallel normals
+  const auto cell = [](double x) { return std::llround(x / cellSize); };
   std::sort(facings.begin(), facings.end(),
     [&](const Facing& a, const Facing& b)
     {
@@ -69,7 +70,7 @@ std::optional<Facing> FindLargest(std::vector<Facing> facings, const Point& axis
   {
     Point sum = {};
     double area = 0.0;
-    for (; end != facings.end() && Length(end->Normal - begin->Normal) <= 16.0 * Parallel; ++end)
+    for (; end != facings.end() && Length(end->Normal - begin->Normal) <= 2.0 * cellSize; ++end)
     {
       sum = sum + end->Area * end->Normal;
       area += end->Area;

@@ -126,7 +126,7 @@ std::string ResolvePairs(
   // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
   // more.
   constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
-  constexpr std::size_t hopeless = 3; // no mesh was ever resolved after so great a growth
+  constexpr std::size_t hopeless = 3; // growth in a round, after which no mesh was resolved
   const std::size_t given = pairs.size();
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FilterTesting.h"
 
+#include "Process/HelperProcess.h"
 #include "RealMeshes.h"
 
 #include "vtkCellArray.h"
@@ -359,4 +360,25 @@ std::unique_ptr<OtherHelper> OtherHelper::Script(const std::string& commands)
 std::unique_ptr<OtherHelper> OtherHelper::Preceded(const std::string& commands)
 {
   return Script(commands + "\nexec '" CARVING_HELPER "' \"$@\"");
+}
+
+std::vector<double> ErrorsOfOneRun(
+  const carving::TriangleMesh& mesh, const std::vector<double>& numbers, bool nested)
+{
+  carving::Job job;
+  job.Kind = carving::JobKind::Decimate;
+  job.Mesh = mesh;
+  job.Decimation.Targets = numbers;
+  job.Decimation.Nested = nested;
+  carving::Reply reply;
+  std::string error;
+  HelperProcess::Run(
+    job, reply, [](const carving::WorkProgress&) { return true; }, error);
+  EXPECT_EQ(error + reply.Error, "");
+  std::vector<double> errors;
+  for (const carving::DecimatedSurface& surface : reply.Decimation.Surfaces)
+  {
+    errors.push_back(surface.Error);
+  }
+  return errors;
 }

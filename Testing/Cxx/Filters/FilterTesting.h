@@ -172,4 +172,8 @@ private:
   std::string ScriptPath;
 };
 
+/** The errors of a mesh that is decimated to numbers of vertices once, without bounds. */
+std::vector<double> ErrorsOfOneRun(
+  const carving::TriangleMesh& mesh, const std::vector<double>& numbers, bool nested = false);
+
 #endif

@@ -5,7 +5,6 @@
  */
 #include "Core/Mesh/Vector.h"
 #include "FilterTesting.h"
-#include "Process/HelperProcess.h"
 #include "Shapes.h"
 
 #include "vtkDoubleArray.h"
@@ -21,7 +20,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace
@@ -43,28 +41,6 @@ vtkSmartPointer<vtkPolyData> Sphere()
 double GetValue(vtkPolyData* surface, const char* name)
 {
   return surface->GetFieldData()->GetArray(name)->GetTuple1(0);
-}
-
-/** The errors of a mesh that is decimated to numbers of vertices once, without bounds. */
-std::vector<double> ErrorsOfOneRun(
-  const carving::TriangleMesh& mesh, const std::vector<double>& numbers, bool nested)
-{
-  carving::Job job;
-  job.Kind = carving::JobKind::Decimate;
-  job.Mesh = mesh;
-  job.Decimation.Targets = numbers;
-  job.Decimation.Nested = nested;
-  carving::Reply reply;
-  std::string error;
-  HelperProcess::Run(
-    job, reply, [](const carving::WorkProgress&) { return true; }, error);
-  EXPECT_EQ(error + reply.Error, "");
-  std::vector<double> errors;
-  for (const carving::DecimatedSurface& surface : reply.Decimation.Surfaces)
-  {
-    errors.push_back(surface.Error);
-  }
-  return errors;
 }
 
 } // namespace

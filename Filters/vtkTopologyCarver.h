@@ -40,9 +40,9 @@
  *   that AppendInput appends: the share of the triangle's area that pierces no tetrahedron, 1 where
  *   the triangle is met exactly.
  * - points: the input's point data, exact on input points, and interpolated at the closest point of
- *   the input on new points; `vtkOriginalPointIds`, -1 for a new point; `SnapDistance`, only of a
- *   snapped mesh: the distance that the point was moved. A point that was moved is one of the
- *   `NewVertices`.
+ *   the input on new points; `vtkOriginalPointIds`, -1 for a new point; `SnapDistance`, only if
+ *   snapping has moved points: the distance that the point was moved. A point that was moved is one
+ *   of the `NewVertices`.
  * - field data, on how the level was made: `Step`; `Kind`, "carved", "simplified" (see
  *   LevelSimplification) or, for the level that AppendInput appends, "input"; `Strategy`, how the
  *   mesh was tetrahedralized (see below); `KeptDistance`, only of a mesh that is enclosed: the
@@ -50,7 +50,8 @@
  *   `KeptDistanceMean`, likewise: the distance of all but a hundredth of their surface, parts of
  *   the mesh apart, and the mean over this surface; `MetShare`, likewise: the share of the mesh's
  *   area that pierces no tetrahedron, so that the last level consists of it there; `SnapDistance`,
- *   only of a snapped mesh: the largest distance that a point was moved.
+ *   only of a snapped mesh: the largest distance that a point was moved, or that a new one has from
+ *   the triangle that it divides.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
  *   and `Voids` of the closed complex K_i; `SurfaceComponents` and `SurfaceGenus` of the level's

@@ -24,9 +24,9 @@ namespace
 {
 
 constexpr int NumberOfOrders = 2;
-constexpr int NumberOfSnappedOrders = 3; ///< on each grid
-constexpr int NumberOfGrids = 3;
-constexpr double GridRatio = 8.0; ///< between the spacings of one grid and the next
+constexpr int NumberOfSnappedOrders = 3; ///< at each step
+constexpr int NumberOfSteps = 3;         ///< ever finer ones
+constexpr double StepRatio = 8.0;        ///< between one step and the next
 /**
  * Auto does not resolve a mesh with more pairs of triangles that cross: TetGen would fail, or on
  * small meshes take longer than enclosing. Every crossing may be the one at which TetGen fails, so
@@ -91,6 +91,7 @@ bool ExactAttempts::TryExact()
     this->Failures.Add("Resolving: ", { mistake });
     return false;
   }
+  this->Resolved.Add("yes");
   if (this->IsCustom)
   {
     this->TheReply.Error = AddInitial(this->TheJob, surface);
@@ -159,51 +160,54 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
   return false;
 }
 
-/** Tries M with points of intersection alone moved, and with all points moved. */
+/** Tries M with parts that touch but for rounding made to touch, and with all points moved. */
 bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
-  const std::optional<FlushFrame> frame = FlushFrame::Find(given);
-  return (frame && this->TrySnapped(given, frame)) || this->TrySnapped(given, std::nullopt);
+  const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
+  const auto join = [&] {
+    return this->TrySnapped(given, tolerance / 4.0, SnapTouching, "Joining what touches within ");
+  };
+  const auto round = [&]
+  { return this->TrySnapped(given, GridSpacing(tolerance), Snap, "Snapping on a grid of "); };
+  // Where exact resolving has come to its end, parts seldom touch but for rounding.
+  return this->Resolved.Get().empty() ? join() || round() : round() || join();
 }
 
-/** Tries ever finer grids, along the axes of a frame if there is one. */
-bool ExactAttempts::TrySnapped(const ResolvedMesh& given, const std::optional<FlushFrame>& frame)
+/** Tries ever finer steps of one way to move points. */
+bool ExactAttempts::TrySnapped(
+  const ResolvedMesh& given, double coarsest, Snapping* snap, const std::string& what)
 {
-  const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
   const double maximumPairs = MaximumPairs(this->TheJob, given.Facets.size());
-  double spacing = GridSpacing(tolerance);
+  double step = coarsest;
   SnappedMesh snapped;
-  // Where too many pairs cross each other, hardly fewer do so on a finer grid.
-  for (int grid = 0; grid < NumberOfGrids && snapped.IntersectingPairs <= maximumPairs; ++grid)
+  // Where too many pairs cross each other, hardly fewer do so after finer steps.
+  for (int i = 0; i < NumberOfSteps && snapped.IntersectingPairs <= maximumPairs; ++i)
   {
-    this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser grid
+    this->TheReply.Strategy.clear(); // or progress would name the last attempt on the coarser step
     this->Host.Begin(Stage::Resolve);
-    std::string mistake = frame
-      ? SnapInFrame(given, *frame, spacing, this->Host.Report, maximumPairs, snapped)
-      : Snap(given, spacing, this->Host.Report, maximumPairs, snapped);
+    std::string mistake = snap(given, step, this->Host.Report, maximumPairs, snapped);
     this->Host.End();
-    mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
+    mistake = mistake.empty() ? this->CheckSnapped(given, snapped) : mistake;
     if (!mistake.empty())
     {
       std::ostringstream text;
-      text << "Snapping on a grid of " << spacing << (frame ? " along flush faces" : "") << ": "
-           << mistake;
+      text << what << step << ": " << mistake;
       this->Failures.Add("", { text.str() });
     }
     else if (this->TryMoved(snapped))
     {
       return true;
     }
-    spacing /= GridRatio;
+    step /= StepRatio;
   }
   return false;
 }
 
 /** Why a snapped mesh is not worth an attempt, or an empty string. */
-std::string ExactAttempts::CheckSnapped(const SnappedMesh& snapped, double tolerance) const
+std::string ExactAttempts::CheckSnapped(const ResolvedMesh& given, const SnappedMesh& snapped) const
 {
-  if (snapped.Distance > tolerance)
+  if (snapped.Distance > this->TheJob.SnapTolerance * Diagonal(given.Points))
   {
     return "points move farther than SnapTolerance";
   }

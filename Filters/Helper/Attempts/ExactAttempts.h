@@ -10,7 +10,6 @@
 #include "Helper/Resolve/Snap.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 
 namespace carving::helper
@@ -30,9 +29,12 @@ private:
   bool MayRecover() const;
   bool TryFirst(const std::function<bool()>& isResolved = {});
   bool TryWithoutInterior();
-  bool TrySnapped(const ResolvedMesh& given, const std::optional<FlushFrame>& frame);
-  std::string CheckSnapped(const SnappedMesh& snapped, double tolerance) const;
+  bool TrySnapped(
+    const ResolvedMesh& given, double coarsest, Snapping* snap, const std::string& what);
+  std::string CheckSnapped(const ResolvedMesh& given, const SnappedMesh& snapped) const;
   bool TryMoved(SnappedMesh& snapped);
+
+  Messages Resolved{ "resolved" }; ///< whether TryExact has resolved M; it runs in a child process
 };
 
 } // namespace carving::helper

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/CoplanarGroup.h"
 
+#include "Core/Mesh/Vector.h"
 #include "Helper/Base/PlaneTriangulation.h"
 #include "Helper/Resolve/PlaneProjection.h"
 
@@ -27,6 +28,18 @@ Edge Undirected(int a, int b)
   return std::minmax(a, b);
 }
 
+/** The triangle with the greatest area: its plane is the one least in doubt. */
+int FindLargest(const ResolvedMesh& mesh, const std::vector<int>& triangles)
+{
+  const auto area = [&mesh](int triangle)
+  {
+    const auto& [a, b, c] = mesh.Facets[triangle];
+    return Length(Cross(mesh.Points[b] - mesh.Points[a], mesh.Points[c] - mesh.Points[a]));
+  };
+  return *std::max_element(
+    triangles.begin(), triangles.end(), [&area](int a, int b) { return area(a) < area(b); });
+}
+
 /** The arrangement of the sides and cuts of a group in its plane. */
 class Arrangement
 {
@@ -35,7 +48,7 @@ public:
     : Mesh(mesh)
     , Cuts(cutPoints)
     , Group(group)
-    , Plane(mesh, group.Triangles.front())
+    , Plane(mesh, FindLargest(mesh, group.Triangles))
   {
   }
 
@@ -71,10 +84,9 @@ private:
 void Arrangement::InsertPoints()
 {
   std::vector<int> points;
-  for (const int triangle : this->Group.Triangles)
+  for (const Side& side : this->Group.Sides)
   {
-    const Triangle& t = this->Mesh.Facets[triangle];
-    points.insert(points.end(), t.begin(), t.end());
+    points.insert(points.end(), { side.From, side.To });
   }
   for (const auto& cut : this->Group.Cuts)
   {
@@ -100,13 +112,9 @@ void Arrangement::InsertPoints()
 void Arrangement::InsertSegments()
 {
   std::vector<std::pair<Edge, int>> sides;
-  for (const int triangle : this->Group.Triangles)
+  for (const Side& side : this->Group.Sides)
   {
-    const Triangle& t = this->Mesh.Facets[triangle];
-    for (int i = 0; i < 3; ++i)
-    {
-      sides.emplace_back(Undirected(t[i], t[(i + 1) % 3]), triangle);
-    }
+    sides.emplace_back(Undirected(side.From, side.To), side.Triangle);
   }
   std::sort(sides.begin(), sides.end());
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -236,6 +244,27 @@ void Arrangement::AppendCovered(ResolvedMesh& result) const
 }
 
 } // namespace
+
+bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
+{
+  const auto& [p, q, r] = mesh.Facets[a];
+  const Triangle& others = mesh.Facets[b];
+  return std::all_of(others.begin(), others.end(),
+    [&, p = p, q = q, r = r](int x)
+    {
+      return CGAL::coplanar(ToInexact(mesh.Points[p]), ToInexact(mesh.Points[q]),
+        ToInexact(mesh.Points[r]), ToInexact(mesh.Points[x]));
+    });
+}
+
+void AppendSides(const ResolvedMesh& mesh, int triangle, std::vector<Side>& sides)
+{
+  const Triangle& t = mesh.Facets[triangle];
+  for (int i = 0; i < 3; ++i)
+  {
+    sides.push_back({ t[i], t[(i + 1) % 3], triangle });
+  }
+}
 
 void AppendPieces(const ResolvedMesh& mesh, const CutPoints& cutPoints, const CoplanarGroup& group,
   ResolvedMesh& result)

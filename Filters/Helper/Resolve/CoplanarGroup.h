@@ -14,13 +14,27 @@
 namespace carving::helper
 {
 
+/** A side of a triangle, or a part of one, from one point to another. */
+struct Side
+{
+  int From, To;
+  int Triangle;
+};
+
+/** Whether two triangles lie in one plane. Exact. */
+bool AreCoplanar(const ResolvedMesh& mesh, int a, int b);
+
+/** Adds the three sides of a triangle. */
+void AppendSides(const ResolvedMesh& mesh, int triangle, std::vector<Side>& sides);
+
 /**
- * Triangles in one plane, in ascending order, and their intersections with triangles of other
- * planes.
+ * Triangles in one plane, in ascending order, their sides or all parts of these, and their
+ * intersections with triangles of other planes.
  */
 struct CoplanarGroup
 {
   std::vector<int> Triangles;
+  std::vector<Side> Sides;
   std::vector<std::array<int, 2>> Cuts; ///< segments between points; equal ends: a single point
 };
 

@@ -38,12 +38,18 @@ ExactPoint CutPoints::Get(int point) const
   return { Exact::FT(p[0]), Exact::FT(p[1]), Exact::FT(p[2]) };
 }
 
+Point CutPoints::GetRounded(int point) const
+{
+  const auto [x, y, z] = this->Get(point);
+  return { CGAL::to_double(x.exact()), CGAL::to_double(y.exact()), CGAL::to_double(z.exact()) };
+}
+
 void CutPoints::AppendRounded(ResolvedMesh& result) const
 {
-  for (const auto& [x, y, z] : this->Made)
+  const std::size_t given = this->Mesh.Points.size();
+  for (std::size_t i = 0; i < this->Made.size(); ++i)
   {
-    result.Points.push_back(
-      { CGAL::to_double(x.exact()), CGAL::to_double(y.exact()), CGAL::to_double(z.exact()) });
+    result.Points.push_back(this->GetRounded(static_cast<int>(given + i)));
     result.PointSources.push_back(-1);
   }
 }

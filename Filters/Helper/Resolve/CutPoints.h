@@ -36,10 +36,10 @@ public:
 
   ExactPoint Get(int point) const;
 
-  /**
-   * Appends the new points, rounded. Equal points give equal results, however they were
-   * constructed.
-   */
+  /** Equal points give equal results, however they were constructed. */
+  Point GetRounded(int point) const;
+
+  /** Appends the new points, rounded. */
   void AppendRounded(ResolvedMesh& result) const;
 
 private:

@@ -5,9 +5,11 @@
 #include "Helper/Base/Kernels.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/CoplanarGroup.h"
+#include "Helper/Resolve/Imprint.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace carving::helper
 {
@@ -15,18 +17,6 @@ namespace
 {
 
 using Pairs = std::vector<std::pair<int, int>>;
-
-bool AreCoplanar(const ResolvedMesh& mesh, int a, int b)
-{
-  const auto& [p, q, r] = mesh.Facets[a];
-  const Triangle& others = mesh.Facets[b];
-  return std::all_of(others.begin(), others.end(),
-    [&, p = p, q = q, r = r](int x)
-    {
-      return CGAL::coplanar(ToInexact(mesh.Points[p]), ToInexact(mesh.Points[q]),
-        ToInexact(mesh.Points[r]), ToInexact(mesh.Points[x]));
-    });
-}
 
 /** The triangles that intersect others, by plane. */
 struct Grouping
@@ -68,7 +58,9 @@ Grouping FindGroups(const ResolvedMesh& mesh, Pairs& pairs)
         result.Groups.emplace_back();
       }
       result.GroupOf[i] = result.GroupOf[first];
-      result.Groups[result.GroupOf[i]].Triangles.push_back(i);
+      CoplanarGroup& group = result.Groups[result.GroupOf[i]];
+      group.Triangles.push_back(i);
+      AppendSides(mesh, i, group.Sides);
     }
   }
   return result;
@@ -110,18 +102,9 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
   return result;
 }
 
-} // namespace
-
-std::string Resolve(
-  ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
-{
-  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
-  intersectingPairs = static_cast<int>(pairs.size());
-  return ResolvePairs(mesh, std::move(pairs), progress, maximumPairs);
-}
-
-std::string ResolvePairs(
-  ResolvedMesh& mesh, Pairs pairs, const Progress& progress, double maximumPairs)
+/** Splits until no pair is left. */
+std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
+  const std::function<ResolvedMesh(Pairs)>& split, double maximumPairs)
 {
   // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
   // more.
@@ -144,7 +127,7 @@ std::string ResolvePairs(
         "precision.";
     }
     const std::size_t before = pairs.size();
-    mesh = Clean(Split(mesh, std::move(pairs), progress));
+    mesh = split(std::move(pairs));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
     const bool explodes = pairs.size() > std::max(2 * before, given);
     explosions = pairs.size() > hopeless * std::max(before, given) ? maximumExplosions
@@ -152,6 +135,44 @@ std::string ResolvePairs(
                                                                    : 0;
   }
   return {};
+}
+
+} // namespace
+
+std::string Resolve(
+  ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
+{
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  intersectingPairs = static_cast<int>(pairs.size());
+  return ResolvePairs(mesh, std::move(pairs), progress, maximumPairs);
+}
+
+std::string ResolvePairs(
+  ResolvedMesh& mesh, Pairs pairs, const Progress& progress, double maximumPairs)
+{
+  return SplitAll(
+    mesh, std::move(pairs),
+    [&](Pairs crossing) { return Clean(Split(mesh, std::move(crossing), progress)); },
+    maximumPairs);
+}
+
+std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, int& intersectingPairs,
+  const Progress& progress, double maximumPairs)
+{
+  const auto split = [&](const Pairs& pairs)
+  {
+    GoOn(progress, 0.0);
+    return Weld(Imprint(std::move(mesh), pairs, tolerance), tolerance);
+  };
+  mesh = Weld(std::move(mesh), tolerance);
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  intersectingPairs = static_cast<int>(pairs.size());
+  if (pairs.empty()) // triangles may lie on each other without crossing
+  {
+    mesh = split(pairs);
+    pairs = FindIntersections(mesh.Points, mesh.Facets);
+  }
+  return SplitAll(mesh, std::move(pairs), split, maximumPairs);
 }
 
 } // namespace carving::helper

@@ -30,6 +30,13 @@ std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& 
 std::string ResolvePairs(ResolvedMesh& mesh, std::vector<std::pair<int, int>> pairs,
   const Progress& progress, double maximumPairs = HUGE_VAL);
 
+/**
+ * Does the same to a mesh whose parts touch but for rounding: points, edges and triangles that are
+ * within `tolerance` of each other are taken to touch (Weld, Imprint).
+ */
+std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, int& intersectingPairs,
+  const Progress& progress, double maximumPairs = HUGE_VAL);
+
 } // namespace carving::helper
 
 #endif

@@ -4,6 +4,7 @@
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Intersections.h"
 #include "Helper/Resolve/Resolve.h"
 
 #include <algorithm>
@@ -22,6 +23,15 @@ double Round(double coordinate, double spacing)
   return std::abs(steps) < exactIntegers ? std::round(steps) * spacing : coordinate;
 }
 
+Point Rounded(Point p, double spacing)
+{
+  for (double& coordinate : p)
+  {
+    coordinate = Round(coordinate, spacing);
+  }
+  return p;
+}
+
 /** Returns the largest distance by which a point moves. */
 double Round(std::vector<Point>& points, double spacing)
 {
@@ -29,10 +39,7 @@ double Round(std::vector<Point>& points, double spacing)
   for (Point& p : points)
   {
     const Point from = p;
-    for (double& coordinate : p)
-    {
-      coordinate = Round(coordinate, spacing);
-    }
+    p = Rounded(p, spacing);
     farthest = std::max(farthest, Length(p - from));
   }
   return farthest;
@@ -91,28 +98,32 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
   return mistake;
 }
 
-std::string SnapInFrame(const ResolvedMesh& given, const FlushFrame& frame, double spacing,
-  const Progress& progress, double maximumPairs, SnappedMesh& snapped)
+std::string SnapTouching(const ResolvedMesh& given, double tolerance, const Progress& progress,
+  double maximumPairs, SnappedMesh& snapped)
 {
-  ResolvedMesh turned = given;
-  for (std::size_t i = 0; i < turned.Points.size(); ++i)
-  {
-    turned.Points[i] = frame.ToFrame(turned.Points[i]);
-    turned.PointSources[i] = static_cast<int>(i);
-  }
-  std::string mistake = Snap(turned, spacing, progress, maximumPairs, snapped);
+  snapped = {};
   ResolvedMesh& mesh = snapped.Mesh;
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    int& source = mesh.PointSources[i];
-    mesh.Points[i] = source >= 0 ? given.Points[source] : frame.FromFrame(mesh.Points[i]);
-    source = source >= 0 ? given.PointSources[source] : -1;
-  }
-  mesh = Clean(mesh);
+  mesh = given;
+  std::string mistake =
+    ResolveTouching(mesh, tolerance, snapped.IntersectingPairs, progress, maximumPairs);
   if (mistake.empty())
   {
-    int left = 0; // rounding may have made some
-    mistake = Resolve(mesh, left, progress, maximumPairs);
+    // TetGen takes points that roundings alone have moved off a plane as on it at one time and off
+    // it at another, and fails.
+    const double spacing = GridSpacing(tolerance);
+    for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+    {
+      if (mesh.PointSources[i] < 0)
+      {
+        mesh.Points[i] = Rounded(mesh.Points[i], spacing);
+      }
+    }
+    mesh = Clean(mesh);
+    if (!FindIntersections(mesh.Points, mesh.Facets).empty())
+    {
+      int left = 0;
+      mistake = ResolveTouching(mesh, tolerance, left, progress, maximumPairs);
+    }
   }
   snapped.Distance = DistanceFromSources(given, mesh);
   return mistake;

@@ -9,7 +9,6 @@
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Progress.h"
-#include "Helper/Resolve/FlushFrame.h"
 
 #include <string>
 
@@ -45,12 +44,15 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
   double maximumPairs, SnappedMesh& snapped);
 
 /**
- * Does the same on a grid along the axes of a frame. Given points keep their places, unless several
- * become one: only points of intersection are rounded to the grid. So faces that are flush but for
- * rounding are resolved as if they lay in one plane.
+ * Resolves a mesh whose parts touch but for rounding: takes what is within `tolerance` of each other
+ * to touch (ResolveTouching), and rounds new points to a grid. Given points keep their places,
+ * unless several become one.
  */
-std::string SnapInFrame(const ResolvedMesh& given, const FlushFrame& frame, double spacing,
-  const Progress& progress, double maximumPairs, SnappedMesh& snapped);
+std::string SnapTouching(const ResolvedMesh& given, double tolerance, const Progress& progress,
+  double maximumPairs, SnappedMesh& snapped);
+
+/** A way to move points: Snap or SnapTouching. */
+using Snapping = decltype(Snap);
 
 } // namespace carving::helper
 

@@ -2,6 +2,8 @@
 #include "Checks.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Imprint.h"
+#include "Helper/Resolve/Resolve.h"
 #include "Helper/Resolve/Snap.h"
 #include "RandomModels.h"
 #include "Shapes.h"
@@ -9,10 +11,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace carving;
@@ -22,6 +23,8 @@ namespace
 {
 
 constexpr double Spacing = 1.0 / 1024.0;
+
+const int NumberOfAssemblies = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_ASSEMBLIES", 30);
 
 bool OnGrid(const Point& p)
 {
@@ -43,12 +46,32 @@ double FarthestMove(const TriangleMesh& given, const ResolvedMesh& mesh)
   return farthest;
 }
 
-/** Two plates that cross, with flush tops and bottoms, in a random rotation. */
-TriangleMesh FlushPlates(std::mt19937_64& random)
+/** Two plates that cross, with flush tops and bottoms. */
+TriangleMesh FlushPlates()
 {
-  const TriangleMesh plates = models::Joined(models::Box({ -1.0, -0.3, 0.0 }, { 1.0, 0.3, 0.1 }),
+  return models::Joined(models::Box({ -1.0, -0.3, 0.0 }, { 1.0, 0.3, 0.1 }),
     models::Box({ -0.3, -1.0, 0.0 }, { 0.3, 1.0, 0.1 }));
-  return models::Rotated(plates, random);
+}
+
+/** A prism of radius 1 along the z axis. */
+TriangleMesh Prism(int sides, double from, double to)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / sides;
+    const int next = (i + 1) % sides;
+    mesh.Points.push_back({ std::cos(angle), std::sin(angle), from });
+    mesh.Points.push_back({ std::cos(angle), std::sin(angle), to });
+    mesh.Triangles.push_back({ 2 * i, 2 * next, 2 * next + 1 });
+    mesh.Triangles.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
+  }
+  for (int i = 1; i + 1 < sides; ++i)
+  {
+    mesh.Triangles.push_back({ 0, 2 * i + 2, 2 * i });
+    mesh.Triangles.push_back({ 1, 2 * i + 1, 2 * i + 3 });
+  }
+  return mesh;
 }
 
 double AreaOf(const ResolvedMesh& mesh)
@@ -60,6 +83,18 @@ double AreaOf(const ResolvedMesh& mesh)
     area += Length(Cross(mesh.Points[b] - p, mesh.Points[c] - p)) / 2.0;
   }
   return area;
+}
+
+/** Expects that resolving what touches leaves no crossing, this area, and all points in place. */
+void ExpectResolved(const TriangleMesh& given, double area)
+{
+  constexpr double tolerance = 1e-12;
+  SnappedMesh snapped;
+  ASSERT_EQ(SnapTouching(Clean(AsResolved(given)), tolerance, {}, HUGE_VAL, snapped), "");
+  EXPECT_EQ(checks::CountCrossings(snapped.Mesh.Points, snapped.Mesh.Facets), 0);
+  EXPECT_EQ(FarthestMove(given, snapped.Mesh), 0.0);
+  EXPECT_LE(snapped.Distance, 3.0 * tolerance);
+  EXPECT_NEAR(AreaOf(snapped.Mesh), area, 1e-9 * area);
 }
 
 } // namespace
@@ -151,67 +186,95 @@ TEST(Snap, EndsWhereThereIsTooMuchToResolve)
 
 // In any rotation, parts whose faces are flush but for rounding are resolved without moving a point
 // of theirs. Where faces overlap, one is left.
-TEST(SnapInFrame, ResolvesFlushFaces)
+TEST(SnapTouching, ResolvesFlushFaces)
 {
-  constexpr double tolerance = 1e-12;
   std::mt19937_64 random(6);
-  for (int i = 0; i < 30; ++i)
+  for (int i = 0; i < NumberOfAssemblies; ++i)
   {
-    const TriangleMesh plates = FlushPlates(random);
-    const ResolvedMesh given = Clean(AsResolved(plates));
-    const std::optional<FlushFrame> frame = FlushFrame::Find(given);
-    ASSERT_TRUE(frame);
-    SnappedMesh snapped;
-    ASSERT_EQ(SnapInFrame(given, *frame, GridSpacing(tolerance), {}, HUGE_VAL, snapped), "");
-    EXPECT_EQ(checks::CountCrossings(snapped.Mesh.Points, snapped.Mesh.Facets), 0);
-    EXPECT_EQ(FarthestMove(plates, snapped.Mesh), 0.0);
-    EXPECT_LE(snapped.Distance, tolerance);
+    const TriangleMesh plates = models::Rotated(FlushPlates(), random);
     // Those of both plates, less one of the two squares at the top and at the bottom.
     const double area = 2.0 * 2.0 * (2.0 * 0.6 + 2.0 * 0.1 + 0.6 * 0.1) - 2.0 * 0.6 * 0.6;
-    EXPECT_NEAR(AreaOf(snapped.Mesh), area, 1e-9);
+    ExpectResolved(plates, area);
   }
 }
 
-// A frame is found where faces are parallel to each other, but not to the axes.
-TEST(FlushFrame, IsFoundForParallelFaces)
+// Prisms of one axis and radius have flush walls in many directions at once. In any rotation, the
+// walls of a shorter one become part of those of a longer one, and its ends become partitions.
+TEST(SnapTouching, ResolvesFlushWallsInManyDirections)
 {
   std::mt19937_64 random(7);
-  const auto hasFrame = [](const TriangleMesh& mesh)
-  { return FlushFrame::Find(Clean(AsResolved(mesh))).has_value(); };
-  const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 2, 3 });
-  EXPECT_TRUE(hasFrame(models::Rotated(box, random)));
-  EXPECT_FALSE(hasFrame(box));
-  EXPECT_FALSE(hasFrame(models::Rotated(models::Sphere(3), random)));
+  std::uniform_real_distribution<double> height(0.1, 1.9);
+  for (int i = 0; i < NumberOfAssemblies; ++i)
+  {
+    const int sides = 3 + static_cast<int>(random() % 20);
+    const auto [from, to] = std::minmax({ height(random), height(random) });
+    const TriangleMesh prisms =
+      models::Rotated(models::Joined(Prism(sides, 0.0, 2.0), Prism(sides, from, to)), random);
+    const double angle = 2.0 * std::acos(-1.0) / sides;
+    const double end = sides * std::sin(angle) / 2.0, side = 2.0 * std::sin(angle / 2.0);
+    ExpectResolved(prisms, 4.0 * end + sides * side * 2.0);
+  }
 }
 
-// The directions of the frame are those of a rotated box, in which its edges are parallel to the
-// axes, and points return to their places.
-TEST(FlushFrame, TurnsFacesToTheAxes)
+// Random blocks whose faces lie in common planes are resolved in any rotation, too, with the area
+// that is left of them where exact arithmetic resolves them before the rotation.
+TEST(SnapTouching, ResolvesRotatedBlocks)
 {
-  constexpr double roundings = 1e-14;
   std::mt19937_64 random(8);
-  for (int i = 0; i < 20; ++i)
+  for (int i = 0; i < NumberOfAssemblies; ++i)
   {
-    const TriangleMesh box = models::Rotated(models::Box({ 0, 0, 0 }, { 1, 2, 3 }), random);
-    const FlushFrame frame = *FlushFrame::Find(Clean(AsResolved(box)));
-    std::array<std::vector<double>, 3> places;
-    for (const Point& p : box.Points)
-    {
-      const Point inFrame = frame.ToFrame(p);
-      EXPECT_LE(Length(frame.FromFrame(inFrame) - p), roundings);
-      for (int k = 0; k < 3; ++k)
-      {
-        std::vector<double>& known = places[k];
-        const auto isKnown = [&](double x) { return std::abs(x - inFrame[k]) <= roundings; };
-        if (std::none_of(known.begin(), known.end(), isKnown))
-        {
-          known.push_back(inFrame[k]);
-        }
-      }
-    }
-    for (const std::vector<double>& known : places)
-    {
-      EXPECT_EQ(known.size(), 2u); // the planes of two sides
-    }
+    const TriangleMesh blocks = models::BoxSoup(2 + i % 8, random);
+    ResolvedMesh exact = Clean(AsResolved(blocks));
+    int pairs = 0;
+    ASSERT_EQ(Resolve(exact, pairs, {}), "");
+    ExpectResolved(models::Rotated(blocks, random), AreaOf(exact));
   }
+}
+
+// Points that are closer than the tolerance become one, and others stay.
+TEST(Weld, MergesPointsWithinTheTolerance)
+{
+  TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const std::size_t points = box.Points.size();
+  const TriangleMesh given = models::Joined(box, models::Moved(box, { 1e-9, 0, 0 }));
+  EXPECT_EQ(Weld(Clean(AsResolved(given)), 0.9e-9).Points.size(), 2 * points);
+  EXPECT_EQ(Weld(Clean(AsResolved(given)), 1.1e-9).Points.size(), points);
+}
+
+// A mesh in which nothing touches and no pair is given is the same after imprinting.
+TEST(Imprint, LeavesACleanMeshAlone)
+{
+  const ResolvedMesh given = Clean(AsResolved(models::Torus(1.0, 0.4, 12, 8)));
+  const ResolvedMesh mesh = Imprint(given, {}, 1e-12);
+  EXPECT_EQ(mesh.Points, given.Points);
+  EXPECT_EQ(mesh.Facets, given.Facets);
+}
+
+// A corner that nearly lies on an edge of another triangle splits that edge, one that nearly lies on
+// the triangle splits it into three, and two edges that nearly cross get a common point.
+TEST(Imprint, SplitsAtWhatNearlyTouches)
+{
+  constexpr double gap = 1e-14, tolerance = 1e-12;
+  const TriangleMesh lower = { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
+  const auto countAfter = [&](const Point& a, const Point& b, const Point& c)
+  {
+    const TriangleMesh upper = { { a, b, c }, { { 0, 1, 2 } } };
+    const ResolvedMesh mesh =
+      Imprint(Clean(AsResolved(models::Joined(lower, upper))), {}, tolerance);
+    return std::pair(mesh.Points.size(), mesh.Facets.size());
+  };
+  using Counts = std::pair<std::size_t, std::size_t>;
+  EXPECT_EQ(countAfter({ 2, gap, gap }, { 2, -2, 2 }, { 3, -2, 2 }), Counts(6, 3));
+  EXPECT_EQ(countAfter({ 1, 1, gap }, { 1, 1, 2 }, { 2, 1, 2 }), Counts(6, 4));
+  EXPECT_EQ(countAfter({ 2, -1, gap - 1 }, { 2, 1, gap + 1 }, { 2, -1, 3 }), Counts(7, 4));
+}
+
+// With too many intersections, nothing is resolved, and the message says why.
+TEST(SnapTouching, EndsWhereThereIsTooMuchToResolve)
+{
+  std::mt19937_64 random(2);
+  SnappedMesh snapped;
+  const std::string mistake =
+    SnapTouching(Clean(AsResolved(models::Soup(30, random))), 1e-12, {}, 1.0, snapped);
+  EXPECT_NE(mistake.find("pairs of triangles"), std::string::npos) << mistake;
 }

@@ -2,6 +2,7 @@
 #include "Checks.h"
 #include "ChildWork.h"
 #include "Core/Mesh/Adjacency.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Attempts/Messages.h"
 #include "Helper/Attempts/Patience.h"
@@ -410,6 +411,30 @@ TEST(Strategies, MoveNothingUnnecessarily)
     EXPECT_EQ(with.SnapDistance, 0.0);
     EXPECT_EQ(with.Result.Surface.Points, without.Result.Surface.Points);
     EXPECT_EQ(with.Result.Cells, without.Result.Cells);
+  }
+}
+
+// Parts whose faces are flush but for rounding are met in any rotation, and their points stay.
+TEST(Strategies, MeetFlushParts)
+{
+  std::mt19937_64 random(9);
+  const TriangleMesh plates = models::Joined(models::Box({ -1.0, -0.3, 0.0 }, { 1.0, 0.3, 0.1 }),
+    models::Box({ -0.3, -1.0, 0.0 }, { 0.3, 1.0, 0.1 }));
+  for (int i = 0; i < 8; ++i)
+  {
+    Job job;
+    job.Mesh = models::Rotated(plates, random);
+    job.Conformity = Conformity::Auto;
+    job.SnapTolerance = 1e-12;
+    const Reply reply = GetReply(job);
+    EXPECT_EQ(reply.KeptDistance, 0.0) << reply.Attempts;
+    EXPECT_LE(reply.SnapDistance, 1e-12 * Diagonal(job.Mesh.Points));
+    const ResolvedMesh& surface = reply.Result.Surface;
+    for (std::size_t k = 0; k < surface.Points.size(); ++k)
+    {
+      const int source = surface.PointSources[k];
+      EXPECT_TRUE(source < 0 || surface.Points[k] == job.Mesh.Points[source]);
+    }
   }
 }
 

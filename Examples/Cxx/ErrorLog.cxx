@@ -24,13 +24,24 @@ std::string ExtractMessage(std::string text)
   return text;
 }
 
+/** Whether a message tells a user nothing. */
+bool MeansNothing(const std::string& message)
+{
+  // The pipeline repeats each error of a filter.
+  const bool isRepeated = message.find("returned failure for request") != std::string::npos;
+  // VTK's XML files keep the range of lengths of vectors. Its readers cannot read infinite ones,
+  // but read the vectors, and need no range.
+  const bool isOfRange =
+    message.find("InformationKey element for vtkDataArray::L2_NORM_RANGE") != std::string::npos;
+  return isRepeated || isOfRange;
+}
+
 } // namespace
 
 void ErrorLog::DisplayErrorText(const char* text)
 {
-  // The pipeline repeats each error of a filter, in words that mean nothing to a user.
   const std::string message = ExtractMessage(text);
-  if (message.find("returned failure for request") == std::string::npos)
+  if (!MeansNothing(message))
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Errors.push_back(message);

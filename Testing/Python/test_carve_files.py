@@ -17,7 +17,7 @@ import unittest
 
 from carve_testing import BONES, CARVE, CarveTestCase, read
 from meshes import two_cubes
-from vtkmodules.vtkCommonCore import VTK_FLOAT
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkConvertToPartitionedDataSetCollection
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
@@ -345,6 +345,22 @@ class TestCarveFiles(CarveTestCase):
             self.assertIn("tetrahedron.obj", warning)
             self.assertIn(f"line {line} ", warning)
         self.assertIn("line 9 ", carve([], "{0}", "f 1 2"))
+
+    def test_reads_infinite_vectors(self):
+        """A point data vector that is infinite does not keep a mesh from being read, although VTK complains of it."""
+        mesh = cubes(1)
+        vectors = vtkDoubleArray()
+        vectors.SetName("velocity")
+        vectors.SetNumberOfComponents(3)
+        for i in range(mesh.GetNumberOfPoints()):
+            vectors.InsertNextTuple3(math.inf if i == 0 else 0.0, 1.0, 0.0)
+        vectors.GetRange(-1)  # the range of lengths is kept, and written
+        mesh.GetPointData().AddArray(vectors)
+        with open(self.write(vtkXMLPolyDataWriter, "cube.vtp", mesh), "rb") as file:
+            self.assertIn(b"L2_NORM_RANGE", file.read())
+        run = self.run_carve("cube.vtp")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr, "")
 
     def test_writes_json(self):
         """--json writes the table as numbers, with the notes, files and seconds; unknown numbers are null."""

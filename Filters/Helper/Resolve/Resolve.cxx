@@ -106,33 +106,27 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
 std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
   const std::function<ResolvedMesh(Pairs)>& split, double maximumPairs)
 {
-  // One round suffices for nearly every mesh. The limits end cases in which rounding creates ever
-  // more.
-  constexpr int maximumRounds = 10, maximumExplosions = 2; // in a row
-  constexpr std::size_t hopeless = 3; // growth in a round, after which no mesh was resolved
-  const std::size_t given = pairs.size();
+  // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer, hardly
+  // any further round mends that, and each takes longer.
+  constexpr int maximumRounds = 10;
   if (static_cast<double>(pairs.size()) > maximumPairs)
   {
     return std::to_string(pairs.size()) +
       " pairs of triangles cross each other, too many to be resolved.";
   }
-  int explosions = 0;
+  std::size_t before = pairs.size();
   for (int round = 0; !pairs.empty(); ++round)
   {
-    if (round == maximumRounds || explosions == maximumExplosions)
+    if (round == maximumRounds || pairs.size() > before)
     {
       return "After " + std::to_string(round) + " rounds of splitting, " +
         std::to_string(pairs.size()) +
         " pairs of triangles still cross each other: the mesh is too intricate for double "
         "precision.";
     }
-    const std::size_t before = pairs.size();
+    before = pairs.size();
     mesh = split(std::move(pairs));
     pairs = FindIntersections(mesh.Points, mesh.Facets);
-    const bool explodes = pairs.size() > std::max(2 * before, given);
-    explosions = pairs.size() > hopeless * std::max(before, given) ? maximumExplosions
-      : explodes                                                   ? explosions + 1
-                                                                   : 0;
   }
   return {};
 }

@@ -16,8 +16,8 @@ namespace carving::helper
 /**
  * Splits triangles along their mutual intersections until any two meet only in a shared vertex or
  * edge. Points of intersection are exact, then rounded to doubles. Since rounding can create new
- * intersections, rounds of splitting follow until none is left. Resolving gives up where rounding
- * creates ever more.
+ * intersections, rounds of splitting follow until none is left. Resolving gives up after a round
+ * that creates more than it removes.
  *
  * `mesh` has been cleaned and stays clean. `intersectingPairs` is set to the number of intersecting
  * pairs in the given mesh; if it exceeds `maximumPairs`, nothing is split. Returns an empty string,

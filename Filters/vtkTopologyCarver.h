@@ -62,7 +62,7 @@
  * without interior" if triangles inside the solid were left out, which the stream then lacks;
  * "Delaunay, recovery" if TetGen failed or was not needed and vertices may have been added off the
  * triangles; "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points
- * were moved; and "Delaunay, enclosing".
+ * were moved, and "TetGen -pc, snapped" if both; and "Delaunay, enclosing".
  *
  * **Topology.** K_i is the union of M, the solid and all tetrahedra that are not carved before or
  * at step i. It is a closed set. `Components` is the number of connected components of K_i, where a

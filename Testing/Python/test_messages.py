@@ -33,7 +33,7 @@ if os.environ["PORTABLE"] == "ON":  # memory is not limited
 # Literals that begin like a sentence but are names in field data.
 NAMES = {
     "TetGen -pcY", "TetGen -pcY, order ", "TetGen -pcY, without interior", "TetGen -pcY, snapped", "TetGen -pc",
-    "Delaunay, enclosing", "Delaunay, recovery", "CGAL constrained Delaunay", "LOD "}
+    "TetGen -pc, snapped", "Delaunay, enclosing", "Delaunay, recovery", "CGAL constrained Delaunay", "LOD "}
 
 
 def read(name):

@@ -223,7 +223,8 @@ bool ExactAttempts::TryMoved(SnappedMesh& snapped)
   this->TheReply.SnapDistance = snapped.Distance;
   return this->IsRecovery
     ? this->TryRecovery(RecoveryEffort::Much)
-    : this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None);
+    : this->TryOrders("TetGen -pcY, snapped", 0, NumberOfSnappedOrders, SurfacePoints::None) ||
+      this->TryOrders("TetGen -pc, snapped", 0, 1, SurfacePoints::Allowed);
 }
 
 /** Tries the boundary of the solid alone, in all orders. On failure M is as it was. */

@@ -156,7 +156,7 @@ ResolvedMesh Imprint(ResolvedMesh mesh, const Pairs& pairs, double tolerance)
   EdgeList segments;
   {
     const Incidences incidences(mesh, {}, tolerance);
-    const ResolvedMesh before = mesh;
+    const ResolvedMesh before = mesh; // ends of cuts are numbered after its points
     Cuts cuts(before, incidences, tolerance);
     for (const auto& [a, b] : pairs)
     {

@@ -165,18 +165,19 @@ bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
   const double tolerance = this->TheJob.SnapTolerance * Diagonal(given.Points);
-  const auto join = [&] {
-    return this->TrySnapped(given, tolerance / 4.0, SnapTouching, "Joining what touches within ");
-  };
+  const auto attempt = [&](double coarsest, Snapping* snap, const std::string& what)
+  { return this->TrySnapped(given, tolerance, coarsest, snap, what); };
+  const auto join = [&]
+  { return attempt(tolerance / 4.0, SnapTouching, "Joining what touches within "); };
   const auto round = [&]
-  { return this->TrySnapped(given, GridSpacing(tolerance), Snap, "Snapping on a grid of "); };
+  { return attempt(GridSpacing(tolerance), Snap, "Snapping on a grid of "); };
   // Where exact resolving has come to its end, parts seldom touch but for rounding.
   return this->Resolved.Get().empty() ? join() || round() : round() || join();
 }
 
 /** Tries ever finer steps of one way to move points. */
-bool ExactAttempts::TrySnapped(
-  const ResolvedMesh& given, double coarsest, Snapping* snap, const std::string& what)
+bool ExactAttempts::TrySnapped(const ResolvedMesh& given, double tolerance, double coarsest,
+  Snapping* snap, const std::string& what)
 {
   const double maximumPairs = MaximumPairs(this->TheJob, given.Facets.size());
   double step = coarsest;
@@ -188,7 +189,7 @@ bool ExactAttempts::TrySnapped(
     this->Host.Begin(Stage::Resolve);
     std::string mistake = snap(given, step, this->Host.Report, maximumPairs, snapped);
     this->Host.End();
-    mistake = mistake.empty() ? this->CheckSnapped(given, snapped) : mistake;
+    mistake = mistake.empty() ? this->CheckSnapped(snapped, tolerance) : mistake;
     if (!mistake.empty())
     {
       std::ostringstream text;
@@ -205,9 +206,9 @@ bool ExactAttempts::TrySnapped(
 }
 
 /** Why a snapped mesh is not worth an attempt, or an empty string. */
-std::string ExactAttempts::CheckSnapped(const ResolvedMesh& given, const SnappedMesh& snapped) const
+std::string ExactAttempts::CheckSnapped(const SnappedMesh& snapped, double tolerance) const
 {
-  if (snapped.Distance > this->TheJob.SnapTolerance * Diagonal(given.Points))
+  if (snapped.Distance > tolerance)
   {
     return "points move farther than SnapTolerance";
   }

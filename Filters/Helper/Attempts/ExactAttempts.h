@@ -29,9 +29,9 @@ private:
   bool MayRecover() const;
   bool TryFirst(const std::function<bool()>& isResolved = {});
   bool TryWithoutInterior();
-  bool TrySnapped(
-    const ResolvedMesh& given, double coarsest, Snapping* snap, const std::string& what);
-  std::string CheckSnapped(const ResolvedMesh& given, const SnappedMesh& snapped) const;
+  bool TrySnapped(const ResolvedMesh& given, double tolerance, double coarsest, Snapping* snap,
+    const std::string& what);
+  std::string CheckSnapped(const SnappedMesh& snapped, double tolerance) const;
   bool TryMoved(SnappedMesh& snapped);
 
   Messages Resolved{ "resolved" }; ///< whether TryExact has resolved M; it runs in a child process

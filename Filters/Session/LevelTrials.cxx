@@ -222,5 +222,5 @@ void DropTargetsOfLastStep(
       }
     }
   }
-  DropTargetsIf(trial, [least](double value) { return value >= least; });
+  DropTargetsIf(trial, [least](const TrialTarget& target) { return target.Value >= least; });
 }

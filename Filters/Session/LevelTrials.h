@@ -45,14 +45,14 @@ struct LevelTrial
 void AddTarget(std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int step,
   double bound = HUGE_VAL);
 
-/** Drops targets of a trial before the trial runs. The predicate sees their values in order. */
+/** Drops targets of a trial before the trial runs. The predicate sees them in order. */
 template <class Predicate>
 void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
 {
   std::vector<TrialTarget> kept;
   for (const TrialTarget& target : trial.Targets)
   {
-    if (predicate(target.Value))
+    if (predicate(target))
     {
       trial.Dropped.push_back(target.Value);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/RepeatedDecimation.h"
 
+#include "Core/Mesh/Box.h"
 #include "Session/TighterTrials.h"
 
 #include <algorithm>
@@ -25,9 +26,15 @@ DecimationOptions PlanSecondRun(const carving::Job& job, const carving::Decimati
     options.Targets.push_back(job.Decimation.Targets[i]);
     options.Bounds.push_back(FindTighterBound(first.Chain.Vertices, first.Surfaces[i].Error));
   }
-  if (!options.Targets.empty() && first.Surfaces[options.Targets.size() - 1].Collapses == 0)
+  if (!options.Targets.empty())
   {
-    options.Targets.clear(); // the given surface has no more vertices than are wanted
+    constexpr double notVisible = 1e-4; // of the diagonal
+    const DecimatedSurface& coarsest = first.Surfaces[options.Targets.size() - 1];
+    const bool hasEnough = coarsest.Collapses == 0; // the given surface
+    if (hasEnough || coarsest.Error <= notVisible * carving::Diagonal(job.Mesh.Points))
+    {
+      options.Targets.clear();
+    }
   }
   return options;
 }

@@ -144,6 +144,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
   // The best steps first, and others when that has been worth it.
   const auto tighter = [&] { return PlanTighterTrials(profile, targets, trials); };
+  const auto tighterBetween = [&] { return PlanTighterTrialsBetween(profile, targets, trials); };
   std::function<std::vector<LevelTrial>()> rounds[] = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets, trials); },
@@ -154,6 +155,9 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
     [&] { return between(few); },
     tighter,
     tighter,
+    tighterBetween,
+    tighterBetween,
+    tighterBetween,
   };
   if (TriesCoarseStepsFirst(targets))
   {

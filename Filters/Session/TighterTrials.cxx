@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/TighterTrials.h"
 
+#include "Session/TrialPlans.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -65,6 +67,29 @@ std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
         similar * surface->Error <= error)
       {
         AddTarget(added, target, trial->Step, bound);
+      }
+    }
+  }
+  return added;
+}
+
+std::vector<LevelTrial> PlanTighterTrialsBetween(const carving::Profile& profile,
+  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
+{
+  constexpr double closer = 0.97;
+  std::vector<LevelTrial> added;
+  for (const SimplifiedTarget& target : targets)
+  {
+    const BestTrial best = FindBestTrial(trials, target);
+    if (!best.Trial || !best.Surface->Reached || !IsBound(*best.Trial))
+    {
+      continue;
+    }
+    for (const auto& [step, finer] : FindStepsBetween(profile, trials, *best.Trial, target))
+    {
+      if (profile.Vertices[step] <= DecimationOptions::FewVertices)
+      {
+        AddTarget(added, target, step, closer * best.Surface->Error);
       }
     }
   }

@@ -27,4 +27,12 @@ double FindTighterBound(int vertices, double error);
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
 
+/**
+ * Steps halfway between the best trial for each number and the next ones before and after, if a
+ * bound has made that trial the best and the step has few vertices. Within a bound, a result may be
+ * as close as its step is: finer steps are closer.
+ */
+std::vector<LevelTrial> PlanTighterTrialsBetween(const carving::Profile& profile,
+  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
+
 #endif

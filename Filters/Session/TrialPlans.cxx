@@ -21,7 +21,7 @@ bool HaveSameTopology(const Profile& profile, int a, int b)
 
 /**
  * Whether a step has been found to keep more vertices than a target asks for because parts touch
- * there, as both sides of a sheet do. Coarser steps of the same topology may keep fewer.
+ * there. Coarser steps of the same topology may keep fewer.
  */
 bool TouchesTooMuch(const std::vector<LevelTrial>& trials, int step, const SimplifiedTarget& target)
 {
@@ -137,45 +137,40 @@ bool IsPlannedFor(const LevelTrial& trial, double value)
       [value](const TrialTarget& target) { return target.Value == value; });
 }
 
-/**
- * The steps halfway to the next ones that have been tried for a target, unless the topology is no
- * other.
- */
-std::vector<int> FindStepsBetween(const Profile& profile, const std::vector<LevelTrial>& trials,
-  const LevelTrial& best, const SimplifiedTarget& target)
+} // namespace
+
+std::vector<StepBetween> FindStepsBetween(const Profile& profile,
+  const std::vector<LevelTrial>& trials, const LevelTrial& trial, const SimplifiedTarget& target)
 {
-  int coarser = best.Step, finer = best.Step;
-  for (const LevelTrial& trial : trials)
+  int coarser = trial.Step, finer = trial.Step;
+  for (const LevelTrial& other : trials)
   {
-    const int step = IsPlannedFor(trial, target.Value) ? trial.Step : best.Step;
-    if (step < best.Step && (coarser == best.Step || step > coarser))
+    const int step = IsPlannedFor(other, target.Value) ? other.Step : trial.Step;
+    if (step < trial.Step && (coarser == trial.Step || step > coarser))
     {
       coarser = step;
     }
-    if (step > best.Step && step <= best.LastStep && (finer == best.Step || step < finer))
+    if (step > trial.Step && step <= trial.LastStep && (finer == trial.Step || step < finer))
     {
       finer = step;
     }
   }
-  std::vector<int> steps;
+  std::vector<StepBetween> steps;
   for (const auto& [low, high] :
-    { std::array{ coarser, best.Step }, std::array{ best.Step, finer } })
+    { std::array{ coarser, trial.Step }, std::array{ trial.Step, finer } })
   {
     const bool sameCount = profile.Vertices[low] == profile.Vertices[high];
     const int middle = sameCount
       ? (low + high) / 2
       : FindStep(profile, high,
           std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
-    if (middle > low && middle < high &&
-      (!HaveSameTopology(profile, middle, high) || TouchesTooMuch(trials, high, target)))
+    if (middle > low && middle < high)
     {
-      steps.push_back(middle);
+      steps.push_back({ middle, high });
     }
   }
   return steps;
 }
-
-} // namespace
 
 bool TriesCoarseStepsFirst(const std::vector<SimplifiedTarget>& targets)
 {
@@ -229,10 +224,12 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     const BestTrial best = FindBestTrial(trials, *target);
-    for (const int step :
-      best.Trial ? FindStepsBetween(profile, trials, *best.Trial, *target) : std::vector<int>())
+    for (const auto& [step, finer] : best.Trial
+        ? FindStepsBetween(profile, trials, *best.Trial, *target)
+        : std::vector<StepBetween>())
     {
-      if (profile.Vertices[step] <= mostVertices)
+      if (profile.Vertices[step] <= mostVertices &&
+        (!HaveSameTopology(profile, step, finer) || TouchesTooMuch(trials, finer, *target)))
       {
         // A coarser level may not come from a later step, so the coarser targets are tried as well.
         AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));

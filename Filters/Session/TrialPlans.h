@@ -38,6 +38,18 @@ std::vector<LevelTrial> PlanTrialsOfLastSteps(
 std::vector<LevelTrial> PlanTrials(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& known);
 
+/** A step halfway between two that have been tried. */
+struct StepBetween
+{
+  int Step;
+  int Finer; ///< the finer one of the two
+};
+
+/** The steps halfway from a trial to the next ones that have been tried for a target. */
+std::vector<StepBetween> FindStepsBetween(const carving::Profile& profile,
+  const std::vector<LevelTrial>& trials, const LevelTrial& trial,
+  const carving::SimplifiedTarget& target);
+
 /**
  * Steps halfway between the best trial for each target and the next ones that have been tried
  * before and after, where the topology differs, if they have at most so many vertices. They are

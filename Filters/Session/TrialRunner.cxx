@@ -5,6 +5,7 @@
 #include "Core/Surface/LevelParts.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
+#include "Core/Surface/TouchingVertices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +27,6 @@ const carving::ResolvedMesh& GetMesh(
 
 /** A step whose distance from M is more than this share of a result's hardly ever beats it. */
 constexpr double Hope = 0.9;
-
-/** Counts the vertices that share their points with others. The points are in ascending order. */
-int CountCopies(const std::vector<int>& points)
-{
-  int copies = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    copies += (i > 0 && points[i] == points[i - 1]) ||
-      (i + 1 < points.size() && points[i] == points[i + 1]);
-  }
-  return copies;
-}
 
 /**
  * The number of vertices at which a step is likely to stick, as a multiple of its LeastVertices:
@@ -100,16 +89,16 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   trial.SurfaceGenus = topology.Genus;
   trial.Points = cut.Points;
   // A closed surface has at least four vertices. In practice, each handle keeps about as many.
-  // Vertices at which parts touch are copies of each other. They stay: neither part can move there.
-  trial.VerticesThatTouch = CountCopies(cut.Points);
+  // Vertices at which parts touch stay: neither part can move there.
+  trial.VerticesThatTouch = carving::CountTouchingVertices(stream, level, cut);
   trial.LeastVertices = std::max(4.0 * topology.Components + 4.0 * std::max(topology.Genus, 0),
     static_cast<double>(trial.VerticesThatTouch));
   DropTargetsIf(trial,
-    [&, least = FindLeastKept(this->Trials) * trial.LeastVertices](double value)
+    [&, least = FindLeastKept(this->Trials) * trial.LeastVertices](const TrialTarget& target)
     {
-      return type == LevelTarget::ErrorBound
-        ? trial.LeastVertices >= FewestVertices(this->Trials, { type, trial.LastStep, value, {} })
-        : std::max(value, 4.0) < least;
+      return type == LevelTarget::ErrorBound ? trial.LeastVertices >=
+          FewestVertices(this->Trials, { type, trial.LastStep, target.Value, {} })
+                                             : std::max(target.Value, 4.0) < least;
     });
   if (trial.Targets.empty())
   {
@@ -185,19 +174,21 @@ void TrialRunner::DropHopelessTargets(
   {
     DropTargetsOfLastStep(this->Trials, this->Diagonal, trial);
   }
-  const auto bestError = [&](double value)
+  const auto mostError = [&](const TrialTarget& wanted)
   {
-    const SimplifiedTarget target = { targets.front().Type, trial.LastStep, value, {} };
+    const SimplifiedTarget target = { targets.front().Type, trial.LastStep, wanted.Value, {} };
     const BestTrial best = FindBestTrial(this->Trials, target);
-    return best.Trial && best.Surface->Reached ? best.Surface->Error : HUGE_VAL;
+    return std::isfinite(wanted.Bound)      ? wanted.Bound
+      : best.Trial && best.Surface->Reached ? Hope * best.Surface->Error
+                                            : HUGE_VAL;
   };
-  double worst = 0.0;
+  double most = 0.0;
   for (const TrialTarget& target : trial.Targets)
   {
-    worst = std::max(worst, bestError(target.Value));
+    most = std::max(most, mostError(target));
   }
-  const double least = std::isfinite(worst) ? this->FindLeastError(trial.Step, Hope * worst) : 0.0;
-  DropTargetsIf(trial, [&](double value) { return least > Hope * bestError(value); });
+  const double least = std::isfinite(most) ? this->FindLeastError(trial.Step, most) : 0.0;
+  DropTargetsIf(trial, [&](const TrialTarget& target) { return least > mostError(target); });
 }
 
 /** Runs trials at the same time. Returns false if the filter is to stop. */

@@ -20,16 +20,28 @@ namespace carving::helper
 class BoundSearch
 {
 public:
-  explicit BoundSearch(double greatest)
+  /** `own` is the error of the surface as given, which collapses hardly make less. */
+  BoundSearch(double greatest, double own)
     : Greatest(greatest)
+    , Own(own)
   {
   }
 
-  /** The bound to begin with: surfaces within a bound are up to 60 % closer than one without. */
-  double First() const
+  /**
+   * The bound to begin with: surfaces within a bound are up to 60 % closer than one without. A bound
+   * below the surface's own error would keep the edges where the surface is far. None if that error
+   * exceeds the greatest bound.
+   */
+  std::optional<double> First() const
   {
     constexpr double share = 0.4;
-    return share * this->Greatest;
+    constexpr double accuracy = 1.01; // of errors
+    constexpr double beyond = 1.02;
+    if (this->Own > accuracy * this->Greatest)
+    {
+      return std::nullopt;
+    }
+    return std::min(std::max(share * this->Greatest, beyond * this->Own), this->Greatest);
   }
 
   /**
@@ -61,6 +73,7 @@ public:
 
 private:
   double Greatest;
+  double Own;
   double LastBound = 0.0;
   double LastExcess = 0.0;
 };

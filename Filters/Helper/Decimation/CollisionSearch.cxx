@@ -3,6 +3,7 @@
 
 #include "Helper/Base/TriangleCrossing.h"
 #include "Helper/Decimation/FittedBounds.h"
+#include "Helper/Decimation/Sheets.h"
 #include "Helper/Enclosing/Pierce.h"
 
 #include <algorithm>
@@ -42,6 +43,7 @@ CollisionSearch::CollisionSearch(const SurfaceMesh& surface)
   , Tree(FaceItems(surface))
   , FacesAtBuild(surface.number_of_faces())
   , CanSweepOver(!IsConnectedWithoutCopies(surface))
+  , IsSheet(CanSweepOver ? FindSheets(surface) : std::vector<char>())
 {
 }
 
@@ -104,23 +106,44 @@ bool CollisionSearch::Crosses(const Star& star, const Point& w) const
 
 bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
 {
-  return std::any_of(star.Corners.begin(), star.Corners.end(),
-    [&](const std::array<Point, 3>& corners)
+  for (std::size_t i = 0; i < star.Corners.size(); ++i)
+  {
+    const std::array<Point, 3>& corners = star.Corners[i];
+    const auto [a, b, c] = ToInexact(corners);
+    Corners4 swept = { a, b, c, ToInexact(w) };
+    const auto side = CGAL::orientation(swept[0], swept[1], swept[2], swept[3]);
+    if (side == CGAL::COPLANAR)
     {
-      const auto [a, b, c] = ToInexact(corners);
-      Corners4 swept = { a, b, c, ToInexact(w) };
-      const FittedBounds<4> bounds({ corners[0], corners[1], corners[2], w });
-      const auto side = CGAL::orientation(swept[0], swept[1], swept[2], swept[3]);
-      if (side == CGAL::NEGATIVE)
+      continue;
+    }
+    if (side == CGAL::NEGATIVE)
+    {
+      std::swap(swept[0], swept[1]);
+    }
+    const FittedBounds<4> bounds({ corners[0], corners[1], corners[2], w });
+    // A side of a sheet may leave the other one behind. Faces that cover each other are given.
+    const bool leavesOther = side == CGAL::POSITIVE && this->IsSheet[star.Faces[i]];
+    const bool meets = this->AnyOutside(
+      star, [&bounds](const Box& box) { return bounds.Overlaps(box); },
+      [&](const std::array<Point, 3>& face)
       {
-        std::swap(swept[0], swept[1]);
-      }
-      return side != CGAL::COPLANAR &&
-        this->AnyOutside(
-          star, [&bounds](const Box& box) { return bounds.Overlaps(box); },
-          [&swept](const std::array<Point, 3>& face)
-          { return Piercer(ToInexact(face)).FindContact(swept).Exists(); });
-    });
+        return !(leavesOther &&
+                 std::is_permutation(face.begin(), face.end(), corners.begin(), corners.end())) &&
+          Piercer(ToInexact(face)).FindContact(swept).Exists();
+      });
+    if (meets)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool CollisionSearch::MayCoverSheet(const Star& star) const
+{
+  return this->CanSweepOver &&
+    std::any_of(
+      star.Faces.begin(), star.Faces.end(), [this](Face face) { return this->IsSheet[face]; });
 }
 
 void CollisionSearch::Update(const Star& star)

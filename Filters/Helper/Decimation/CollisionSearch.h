@@ -26,6 +26,9 @@ public:
    */
   bool IsFree(const Star& star, const Point& w) const;
 
+  /** Whether a face of a star may be a side of a sheet, whose other side is below the face. */
+  bool MayCoverSheet(const Star& star) const;
+
   /** Takes over that the faces of a star have changed or have been removed. */
   void Update(const Star& star);
 
@@ -38,7 +41,8 @@ private:
   const SurfaceMesh& Surface;
   BoxTree<FaceItems> Tree;
   SurfaceMesh::size_type FacesAtBuild;
-  bool CanSweepOver; ///< over a part of itself, without crossing it
+  bool CanSweepOver;         ///< over a part of itself, without crossing it
+  std::vector<char> IsSheet; ///< per face: whether it has been a side of a sheet as given
 };
 
 } // namespace carving::helper

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Decimator.h"
 
+#include "Core/Mesh/Vector.h"
 #include "Core/Protocol/Protocol.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -19,6 +20,19 @@ namespace
  * but slower.
  */
 constexpr SurfaceMesh::size_type MostToSlideFirst = 2000;
+
+/** A position that is a little farther outward. */
+Point Raised(const Star& star, const Point& w)
+{
+  constexpr double share = 0.01; // of the size of the star
+  Point normal = {};
+  for (const auto& [a, b, c] : star.Corners)
+  {
+    normal = normal + Cross(b - a, c - a);
+  }
+  const double length = Length(normal);
+  return length > 0.0 ? w + share / std::sqrt(length) * normal : w;
+}
 
 } // namespace
 
@@ -260,6 +274,11 @@ std::vector<Point> Decimator::FindOutward(const Attempt& attempt)
   if (const std::optional<Point> w = this->Place.FindOutward(star, error))
   {
     positions.push_back(*w);
+    const Point raised = Raised(star, *w);
+    if (this->Collisions.MayCoverSheet(star) && IsOutside(star, raised))
+    {
+      positions.push_back(raised); // in a flat sheet, the faces would cover those of the other side
+    }
   }
   for (const Vertex end : { this->Surface.source(edge), this->Surface.target(edge) })
   {

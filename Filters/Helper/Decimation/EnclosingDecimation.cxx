@@ -76,28 +76,6 @@ void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& res
   result.PointSources.resize(result.Points.size(), -1);
 }
 
-/** A copy that stays while the surface changes. Removed vertices keep their places. */
-TriangleMesh CopyOf(const SurfaceMesh& surface)
-{
-  TriangleMesh copy;
-  copy.Points.resize(surface.num_vertices());
-  for (const Vertex vertex : surface.vertices())
-  {
-    copy.Points[vertex] = surface.point(vertex);
-  }
-  copy.Triangles.reserve(surface.number_of_faces());
-  for (const Face face : surface.faces())
-  {
-    Triangle& corners = copy.Triangles.emplace_back();
-    std::size_t k = 0;
-    for (const Vertex vertex : CGAL::vertices_around_face(surface.halfedge(face), surface))
-    {
-      corners[k++] = static_cast<int>(vertex);
-    }
-  }
-  return copy;
-}
-
 /** An upper bound of the largest distance of any point of the surface from a mesh. */
 double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance)
 {
@@ -141,6 +119,7 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
   const SurfaceMesh& surface = decimator.GetSurface();
   const bool byError = options.Type == DecimationTarget::ErrorBound;
   const double all = std::log(static_cast<double>(surface.number_of_vertices()));
+  const double own = options.Bounds.empty() ? 0.0 : MeasureError(AsTriangleMesh(surface), fromM);
   const auto policy = threads > 1 ? std::launch::async : std::launch::deferred;
   std::future<double> error; // of the last result, measured while the next one is made
   const auto finish = [&]
@@ -170,7 +149,7 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       return options.Type == DecimationTarget::Triangles ? surface.number_of_faces()
                                                          : surface.number_of_vertices();
     };
-    BoundSearch search(options.Bounds.empty() ? HUGE_VAL : options.Bounds[i]);
+    BoundSearch search(options.Bounds.empty() ? HUGE_VAL : options.Bounds[i], own);
     // The measured error may be 1 % too large; it has to be within the bound, too.
     std::optional<double> bound = byError ? target / 1.01 : search.First();
     bool reached = false;
@@ -205,8 +184,8 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
     }
     finish();
     results.push_back({ decimator.GetNumberOfCollapses(), reached, 0.0 });
-    error =
-      std::async(policy, [&fromM, copy = CopyOf(surface)] { return MeasureError(copy, fromM); });
+    error = std::async(
+      policy, [&fromM, copy = AsTriangleMesh(surface)] { return MeasureError(copy, fromM); });
     if (threads <= 1)
     {
       finish();

@@ -51,6 +51,27 @@ std::vector<Point> PointsOf(const SurfaceMesh& mesh)
   return points;
 }
 
+TriangleMesh AsTriangleMesh(const SurfaceMesh& mesh)
+{
+  TriangleMesh copy;
+  copy.Points.resize(mesh.num_vertices());
+  for (const Vertex vertex : mesh.vertices())
+  {
+    copy.Points[vertex] = mesh.point(vertex);
+  }
+  copy.Triangles.reserve(mesh.number_of_faces());
+  for (const Face face : mesh.faces())
+  {
+    Triangle& corners = copy.Triangles.emplace_back();
+    std::size_t k = 0;
+    for (const Vertex vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+    {
+      corners[k++] = static_cast<int>(vertex);
+    }
+  }
+  return copy;
+}
+
 bool IsConnectedWithoutCopies(const SurfaceMesh& mesh)
 {
   DisjointSets components(mesh.num_vertices());

@@ -26,6 +26,9 @@ using Face = SurfaceMesh::Face_index;
 /** A closed surface as a mesh with the same indices of points and facets. */
 SurfaceMesh AsSurfaceMesh(const ResolvedMesh& mesh);
 
+/** A copy of the faces. Removed vertices keep their places. */
+TriangleMesh AsTriangleMesh(const SurfaceMesh& mesh);
+
 /** The corners of a face, counter-clockwise as seen from the outside. */
 std::array<Point, 3> CornersOf(const SurfaceMesh& mesh, Face face);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
+#include "Core/Surface/TouchingVertices.h"
 #include "SmallMeshes.h"
 
 #include <gtest/gtest.h>
@@ -86,6 +87,30 @@ StoredStream<3> Solids(const std::vector<Point>& points,
   return Carvable(points, between, facets);
 }
 
+/** Two solids that touch in point 0. */
+StoredStream<3> SolidsAtAVertex()
+{
+  return Solids({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
+                  { 0, 0, -1 } },
+    { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } });
+}
+
+/** Two solids that touch in the edge from point 0 to 1. */
+StoredStream<3> SolidsAtAnEdge()
+{
+  return Solids({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
+    { { 0, 1, 2, 3 }, { 0, 1, 4, 5 } }, { { 0, 1, 3, 4 }, { 0, 1, 5, 2 } });
+}
+
+/** Two solids that touch in the edges from point 0 to 1 and on to 2. */
+StoredStream<3> SolidsAlongTwoEdges()
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { -1, 0, 1 }, { -1, -1, 1 } };
+  return Solids(points, { { 0, 1, 3, 4 }, { 1, 2, 3, 4 }, { 0, 1, 5, 6 }, { 1, 2, 5, 6 } },
+    { { 0, 1, 4, 5 }, { 1, 2, 4, 5 }, { 0, 1, 6, 3 }, { 1, 2, 6, 3 } });
+}
+
 /** Sheets between three tetrahedra around an edge from point 0 to 1. */
 StoredStream<3> Sheets(const std::vector<Triangle>& facets)
 {
@@ -100,12 +125,31 @@ Level<3> LastLevel(const StoredStream<3>& stream)
 
 } // namespace
 
+// Where solids touch in a vertex or an edge alone, none of its copies can move outward.
+TEST(TouchingVertices, AreThoseOfSolidsInOneExterior)
+{
+  const StoredStream<3> atVertex = SolidsAtAVertex();
+  const Level<3> first = ExtractLevel(atVertex, 0);
+  EXPECT_EQ(CountTouchingVertices(atVertex, first, CutIntoManifold(atVertex, first)), 2);
+  const StoredStream<3> atEdge = SolidsAtAnEdge();
+  const Level<3> last = LastLevel(atEdge);
+  EXPECT_EQ(CountTouchingVertices(atEdge, last, CutIntoManifold(atEdge, last)), 4);
+}
+
+// Where two pits touch, each copy can move into its own pit.
+TEST(TouchingVertices, AreNotThoseOfPits)
+{
+  const StoredStream<3> stream = SolidsAlongTwoEdges();
+  const Level<3> level = LastLevel(stream);
+  const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
+  ASSERT_EQ(std::count(cut.Points.begin(), cut.Points.end(), 1), 2);
+  EXPECT_EQ(CountTouchingVertices(stream, level, cut), 0);
+}
+
 // Two solids that touch in a vertex get one copy of it each.
 TEST(Manifold, CutsAtAVertex)
 {
-  const StoredStream<3> stream = Solids({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
-                                          { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
-    { { 0, 1, 2, 3 }, { 0, 4, 5, 6 } });
+  const StoredStream<3> stream = SolidsAtAVertex();
   const Level<3> level = ExtractLevel(stream, 0);
   EXPECT_EQ(KeepUncut(level).Points.size(), 7u);
   const ManifoldLevel<3> cut = CutIntoManifold(stream, level);
@@ -116,9 +160,7 @@ TEST(Manifold, CutsAtAVertex)
 // Two solids that touch in an edge alone are cut apart there.
 TEST(Manifold, CutsAtASingleEdge)
 {
-  const StoredStream<3> stream =
-    Solids({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } },
-      { { 0, 1, 2, 3 }, { 0, 1, 4, 5 } }, { { 0, 1, 3, 4 }, { 0, 1, 5, 2 } });
+  const StoredStream<3> stream = SolidsAtAnEdge();
   const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 8u);
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);
@@ -163,11 +205,7 @@ TEST(Manifold, CutsManyWedgesAroundAnEdgeApart)
 // edges has a copy on either side of them.
 TEST(Manifold, StaysJoinedAlongSeveralEdges)
 {
-  const std::vector<Point> points = { { 0, 0, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { -1, 0, 1 }, { -1, -1, 1 } };
-  const StoredStream<3> stream =
-    Solids(points, { { 0, 1, 3, 4 }, { 1, 2, 3, 4 }, { 0, 1, 5, 6 }, { 1, 2, 5, 6 } },
-      { { 0, 1, 4, 5 }, { 1, 2, 4, 5 }, { 0, 1, 6, 3 }, { 1, 2, 6, 3 } });
+  const StoredStream<3> stream = SolidsAlongTwoEdges();
   const Level<3> level = LastLevel(stream);
   ASSERT_EQ(level.Faces.size(), 12u);
   EXPECT_EQ(MostFacesOnAnEdge(KeepUncut(level)), 4);

@@ -192,6 +192,30 @@ TEST(LevelTrials, AreBoundForOtherStepsWhereTheBestHasGained)
   EXPECT_EQ(findSteps(0.3), std::vector<int>());
 }
 
+// Once a bound has made a step the best, those halfway to its neighbors are tried within a closer one.
+TEST(LevelTrials, AreBoundBetweenStepsWhereABoundHasGained)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices[step] = 2000 + step;
+  }
+  std::vector<LevelTrial> trials = { MakeTrial(20, { { 400.0, 0.4 } }),
+    MakeTrial(60, { { 400.0, 0.3 } }), MakeTrial(LastStep, { { 400.0, 0.5 } }) };
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 400.0 });
+  EXPECT_TRUE(PlanTighterTrialsBetween(profile, targets, trials).empty());
+  trials.push_back(MakeTrial(60, { { 400.0, 0.2 } }));
+  trials.back().Targets.front().Bound = 0.29;
+  const std::vector<LevelTrial> added = PlanTighterTrialsBetween(profile, targets, trials);
+  ASSERT_EQ(added.size(), 2u);
+  EXPECT_NEAR(added[0].Step, 40, 1);
+  EXPECT_NEAR(added[1].Step, 80, 1);
+  for (const LevelTrial& trial : added)
+  {
+    EXPECT_LT(trial.Targets.front().Bound, 0.2);
+  }
+}
+
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices
 // stands in for one that is farther from M.
 TEST(LevelTrials, AreRankedByDistance)

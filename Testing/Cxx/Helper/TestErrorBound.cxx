@@ -43,10 +43,13 @@ struct Found
   bool Reached;
 };
 
-/** Searches where the number is reached at `least`, and falls with a power of the bound. */
-Found Search(double least, double power)
+/**
+ * Searches where the number is reached at `least`, and falls with a power of the bound. `own` is the
+ * error of the surface as given.
+ */
+Found Search(double least, double power, double own = 0.0)
 {
-  BoundSearch search(Greatest);
+  BoundSearch search(Greatest, own);
   Found found = { 0.0, 0, false };
   for (std::optional<double> bound = search.First(); bound && !found.Reached; ++found.Steps)
   {
@@ -122,10 +125,29 @@ TEST(BoundSearch, GivesUpWithoutHope)
   }
 }
 
+// The search begins just above the error of the surface as given: below that, edges would be kept.
+TEST(BoundSearch, BeginsAboveTheErrorOfTheGivenSurface)
+{
+  for (double share = 0.5; share <= 1.0; share += 0.1)
+  {
+    const std::optional<double> first = BoundSearch(Greatest, share * Greatest).First();
+    ASSERT_TRUE(first);
+    EXPECT_GE(*first, share * Greatest);
+    EXPECT_LE(*first, std::min(1.05 * share, 1.0) * Greatest);
+    EXPECT_TRUE(Search(0.9 * share * Greatest, 1.0, share * Greatest).Reached);
+  }
+}
+
+// A surface that is farther than the greatest bound as it is given has no bound to begin with.
+TEST(BoundSearch, GivesUpSurfacesThatAreTooFar)
+{
+  EXPECT_EQ(BoundSearch(Greatest, 1.1 * Greatest).First(), std::nullopt);
+}
+
 // Without a greatest bound there is a single step without a bound.
 TEST(BoundSearch, TakesNoStepsWithoutABound)
 {
-  BoundSearch search(HUGE_VAL);
+  BoundSearch search(HUGE_VAL, 0.0);
   EXPECT_EQ(search.First(), HUGE_VAL);
   EXPECT_EQ(search.Next(HUGE_VAL, 2.0), std::nullopt);
 }

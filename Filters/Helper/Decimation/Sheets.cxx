@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Decimation/Sheets.h"
+
+#include "Core/Mesh/Vector.h"
+#include "Core/Solid/WindingTree.h"
+#include "Helper/Resolve/Clean.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carving::helper
+{
+namespace
+{
+
+/** The corners in ascending order, and the face. */
+using FaceWithCorners = std::pair<std::array<Point, 3>, Face>;
+
+/** Whether the exterior lies in front of a face on which no other one lies than its opposite. */
+bool IsExteriorInFront(const WindingTree& windings, const std::array<Point, 3>& corners)
+{
+  constexpr double share = 1e-9; // of the longest edge: nothing else is as close
+  const auto& [a, b, c] = corners;
+  const Point normal = Cross(b - a, c - a);
+  const double length = std::max({ Length(b - a), Length(c - b), Length(a - c) });
+  const Point center = a / 3.0 + b / 3.0 + c / 3.0;
+  const Point inFront = center + share * length / Length(normal) * normal;
+  constexpr double half = 0.5;
+  return std::abs(windings.Measure(inFront, { half })) < half;
+}
+
+} // namespace
+
+std::vector<char> FindSheets(const SurfaceMesh& surface)
+{
+  std::vector<char> isSheet(surface.num_faces(), 0);
+  std::vector<FaceWithCorners> faces;
+  faces.reserve(isSheet.size());
+  for (const Face face : surface.faces())
+  {
+    faces.emplace_back(CornersOf(surface, face), face);
+    std::sort(faces.back().first.begin(), faces.back().first.end());
+  }
+  std::sort(faces.begin(), faces.end());
+  const auto haveSameCorners = [](const FaceWithCorners& a, const FaceWithCorners& b)
+  { return a.first == b.first; };
+  auto first = std::adjacent_find(faces.begin(), faces.end(), haveSameCorners);
+  if (first == faces.end())
+  {
+    return isSheet;
+  }
+  const ResolvedMesh mesh = AsResolved(AsTriangleMesh(surface));
+  const WindingTree windings(mesh);
+  const auto isExteriorInFront = [&](const FaceWithCorners& face)
+  { return IsExteriorInFront(windings, CornersOf(surface, face.second)); };
+  while (first != faces.end())
+  {
+    const auto last = std::find_if(first, faces.end(),
+      [&](const FaceWithCorners& face) { return !haveSameCorners(face, *first); });
+    if (last - first == 2 && std::all_of(first, last, isExteriorInFront))
+    {
+      isSheet[first[0].second] = isSheet[first[1].second] = 1;
+    }
+    first = std::adjacent_find(last, faces.end(), haveSameCorners);
+  }
+  return isSheet;
+}
+
+} // namespace carving::helper

@@ -19,16 +19,34 @@ bool HaveSameTopology(const Profile& profile, int a, int b)
     profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
 }
 
+/** Whether a trial without bounds has stuck above a number. */
+bool HasStuck(const LevelTrial& trial, const SimplifiedTarget& target)
+{
+  const std::vector<carving::DecimatedSurface>& surfaces = trial.Result.Surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const auto& [value, bound] = trial.Targets[i];
+    if (!surfaces[i].Reached && std::isinf(bound) && value >= target.Value)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /**
- * Whether a step has been found to keep more vertices than a target asks for because parts touch
- * there. Coarser steps of the same topology may keep fewer.
+ * Whether a step has been found to keep more vertices than a target asks for, as where parts touch
+ * or sheets end. Coarser steps of the same topology may keep fewer.
  */
-bool TouchesTooMuch(const std::vector<LevelTrial>& trials, int step, const SimplifiedTarget& target)
+bool KeepsTooMany(const std::vector<LevelTrial>& trials, int step, const SimplifiedTarget& target)
 {
   return target.Type != LevelTarget::ErrorBound &&
     std::any_of(trials.begin(), trials.end(),
       [&](const LevelTrial& trial)
-      { return trial.Step == step && trial.VerticesThatTouch > CountVertices(target); });
+      {
+        return trial.Step == step &&
+          (trial.VerticesThatTouch > CountVertices(target) || HasStuck(trial, target));
+      });
 }
 
 /** The last step up to `last` with at most this many vertices; -1 if C0 has more. */
@@ -100,7 +118,7 @@ std::vector<int> SelectSteps(
       break;
     }
     if (!HaveSameTopology(profile, step, steps.back()) ||
-      TouchesTooMuch(trials, steps.back(), target))
+      KeepsTooMany(trials, steps.back(), target))
     {
       steps.push_back(step);
     }
@@ -229,7 +247,7 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
         : std::vector<StepBetween>())
     {
       if (profile.Vertices[step] <= mostVertices &&
-        (!HaveSameTopology(profile, step, finer) || TouchesTooMuch(trials, finer, *target)))
+        (!HaveSameTopology(profile, step, finer) || KeepsTooMany(trials, finer, *target)))
       {
         // A coarser level may not come from a later step, so the coarser targets are tried as well.
         AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));

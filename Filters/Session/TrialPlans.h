@@ -32,8 +32,8 @@ std::vector<LevelTrial> PlanTrialsOfLastSteps(
  * halved numbers of components and tunnels), C0, and the steps that reach numbers without a
  * collapse: no level is farther from M. Each is tried for all finer numbers, too. For an error
  * bound, the coarsest steps about within it take the place of C0. The targets are of one type and
- * sorted from coarse to fine. `known` are the trials up to now: where parts of the last step touch
- * in too many vertices, the next of the earlier steps need not differ in topology.
+ * sorted from coarse to fine. `known` are the trials up to now: where the last step has kept too
+ * many vertices, the next of the earlier steps need not differ in topology.
  */
 std::vector<LevelTrial> PlanTrials(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& known);

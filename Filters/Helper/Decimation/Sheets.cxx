@@ -6,6 +6,7 @@
 #include "Helper/Resolve/Clean.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carving::helper

@@ -121,7 +121,7 @@ bool CollisionSearch::SweepsOver(const Star& star, const Point& w) const
       std::swap(swept[0], swept[1]);
     }
     const FittedBounds<4> bounds({ corners[0], corners[1], corners[2], w });
-    // A side of a sheet may leave the other one behind. Faces that cover each other are given.
+    // A side of a sheet may move away from the other, which is the only face with the same corners.
     const bool leavesOther = side == CGAL::POSITIVE && this->IsSheet[star.Faces[i]];
     const bool meets = this->AnyOutside(
       star, [&bounds](const Box& box) { return bounds.Overlaps(box); },

@@ -274,10 +274,14 @@ std::vector<Point> Decimator::FindOutward(const Attempt& attempt)
   if (const std::optional<Point> w = this->Place.FindOutward(star, error))
   {
     positions.push_back(*w);
-    const Point raised = Raised(star, *w);
-    if (this->Collisions.MayCoverSheet(star) && IsOutside(star, raised))
+    if (this->Collisions.MayCoverSheet(star))
     {
-      positions.push_back(raised); // in a flat sheet, the faces would cover those of the other side
+      // In a flat sheet, faces at the first position cover those of the other side.
+      const Point raised = Raised(star, *w);
+      if (IsOutside(star, raised))
+      {
+        positions.push_back(raised);
+      }
     }
   }
   for (const Vertex end : { this->Surface.source(edge), this->Surface.target(edge) })

@@ -17,7 +17,7 @@ namespace
 /** The corners in ascending order, and the face. */
 using FaceWithCorners = std::pair<std::array<Point, 3>, Face>;
 
-/** Whether the exterior lies in front of a face on which no other one lies than its opposite. */
+/** Whether the exterior lies in front of a face. Only its opposite may cover the face. */
 bool IsExteriorInFront(const WindingTree& windings, const std::array<Point, 3>& corners)
 {
   constexpr double share = 1e-9; // of the longest edge: nothing else is as close

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 using namespace carving;
@@ -74,7 +73,7 @@ int CountCrossings(const std::vector<Point>& points, const std::vector<Triangle>
 
 } // namespace
 
-// Both sides of a sheet are found, also where a solid grows from its rim or lies beside the sheet.
+// Both sides of a sheet are found, also with a solid beside the sheet.
 TEST(Sheets, AreFoundOnBothSides)
 {
   const TriangleMesh sheet = DoubledGraph(6, [](double x, double y) { return 0.1 * x * y; });

@@ -3,7 +3,8 @@
  * @class vtkEnclosingDecimation
  * @brief decimate a closed surface into surfaces that enclose it
  *
- * The input is a closed, consistently oriented surface that does not cross itself. Each output has
+ * The input is a closed, consistently oriented surface that does not cross itself. Parts of it that
+ * are inside out are turned. Each output has
  * fewer vertices, encloses the input (no point of the input lies outside), does not cross itself,
  * and has the same components and tunnels. Edges collapse in the order of a quadric error. Each new
  * vertex lies on the outer side of all faces around its edge ("progressive hull", Sander et al.,

@@ -3,10 +3,18 @@
 
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Solid/WindingTree.h"
+#include "Helper/Base/Kernels.h"
 #include "Helper/Resolve/Intersections.h"
 
+#include <CGAL/determinant.h>
+
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace carving::helper
@@ -139,18 +147,48 @@ void SplitFans(const std::vector<int>& partners, ResolvedMesh& surface)
   surface.PointSources = std::move(split.PointSources);
 }
 
-double SixVolumes(const ResolvedMesh& surface)
+/** Whether the volume that a closed surface encloses is negative. Exact. */
+bool IsInsideOut(const ResolvedMesh& surface)
 {
-  double sum = 0.0;
+  const Point& origin = surface.Points.front();
+  double sum = 0.0, size = 0.0;
   for (const auto& [a, b, c] : surface.Facets)
   {
-    sum +=
-      SixVolume(surface.Points.front(), surface.Points[a], surface.Points[b], surface.Points[c]);
+    const std::array corners = { surface.Points[a], surface.Points[b], surface.Points[c] };
+    sum += SixVolume(origin, corners[0], corners[1], corners[2]);
+    size += Length(corners[0] - origin) * Length(corners[1] - origin) * Length(corners[2] - origin);
   }
-  return sum;
+  constexpr double rounding = 1e-8; // far more than that of any sum
+  if (std::abs(sum) > rounding * size)
+  {
+    return sum < 0.0;
+  }
+  using Number = Exact::Exact_kernel::FT;
+  Number volume = 0;
+  for (const auto& [a, b, c] : surface.Facets)
+  {
+    const Point &p = surface.Points[a], &q = surface.Points[b], &r = surface.Points[c];
+    volume += CGAL::determinant<Number>(p[0], p[1], p[2], q[0], q[1], q[2], r[0], r[1], r[2]);
+  }
+  return volume < 0;
+}
+
+double LongestEdge(const std::array<Point, 3>& corners)
+{
+  const auto& [a, b, c] = corners;
+  return std::max({ Length(b - a), Length(c - b), Length(a - c) });
 }
 
 } // namespace
+
+Point PointInFront(const std::array<Point, 3>& corners)
+{
+  constexpr double share = 1e-9; // of the longest edge: hardly anything is as close
+  const auto& [a, b, c] = corners;
+  const Point normal = Cross(b - a, c - a);
+  const Point center = a / 3.0 + b / 3.0 + c / 3.0;
+  return center + share * LongestEdge(corners) / Length(normal) * normal;
+}
 
 std::string MakeClosedSurface(ResolvedMesh& surface)
 {
@@ -172,7 +210,7 @@ std::string MakeClosedSurface(ResolvedMesh& surface)
     return "The surface crosses itself: " + std::to_string(pairs.size()) +
       " pairs of triangles meet, the first near " + Describe(surface.Points[t[0]]) + ".";
   }
-  if (SixVolumes(surface) < 0.0)
+  if (IsInsideOut(surface))
   {
     for (Triangle& t : surface.Facets)
     {
@@ -180,6 +218,43 @@ std::string MakeClosedSurface(ResolvedMesh& surface)
     }
   }
   return {};
+}
+
+void TurnPartsOutward(ResolvedMesh& surface)
+{
+  DisjointSets parts(surface.Points.size());
+  for (const auto& [a, b, c] : surface.Facets)
+  {
+    parts.Unite(a, b);
+    parts.Unite(b, c);
+  }
+  const auto cornersOf = [&surface](const Triangle& t)
+  { return carving::CornersOf<3>(surface.Points, t); };
+  std::map<int, std::array<Point, 3>> longest; // per part: the corners of the triangle
+  for (const Triangle& t : surface.Facets)
+  {
+    const std::array<Point, 3> corners = cornersOf(t);
+    std::array<Point, 3>& known = longest.try_emplace(parts.Find(t[0]), corners).first->second;
+    known = LongestEdge(corners) > LongestEdge(known) ? corners : known;
+  }
+  if (longest.size() == 1)
+  {
+    return;
+  }
+  const WindingTree windings(surface);
+  std::set<int> insideOut;
+  for (const auto& [part, corners] : longest)
+  {
+    constexpr double half = 0.5;
+    if (windings.Measure(PointInFront(corners), { half }) < -half)
+    {
+      insideOut.insert(part);
+    }
+  }
+  for (Triangle& t : surface.Facets)
+  {
+    t = insideOut.count(parts.Find(t[0])) > 0 ? Flipped<3>(t) : t;
+  }
 }
 
 } // namespace carving::helper

@@ -8,6 +8,7 @@
 
 #include "Core/Mesh/Mesh.h"
 
+#include <array>
 #include <string>
 
 namespace carving::helper
@@ -15,11 +16,20 @@ namespace carving::helper
 
 /**
  * Gives each fan of triangles a vertex of its own, so that vertices of several fans become copies,
- * and orients the surface outward. Returns an error for the user if the triangles do not form a
+ * and orients the surface outward as a whole. Returns an error for the user if the triangles do not form a
  * closed, consistently oriented surface, or cross each other. The error says in how many places,
  * and where the first one is.
  */
 std::string MakeClosedSurface(ResolvedMesh& surface);
+
+/**
+ * Turns the parts of a closed surface that are inside out, if others are not: the winding number in
+ * front of them is negative.
+ */
+void TurnPartsOutward(ResolvedMesh& surface);
+
+/** A point close to the center of a triangle with an area. */
+Point PointInFront(const std::array<Point, 3>& corners);
 
 } // namespace carving::helper
 

@@ -207,6 +207,11 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
   {
     return mistake;
   }
+  const bool isOfUser = &given == &mesh; // and no level of a stream
+  if (isOfUser)
+  {
+    TurnPartsOutward(original);
+  }
   std::optional<ChainRecorder> history; // the chain is made when all else has been released
   {
     const ResolvedMesh cleaned = Clean(AsResolved(mesh));
@@ -222,7 +227,7 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
       divisions.emplace(divided);
     }
     std::optional<FaceDistance<3>> fromGiven;
-    if (&given != &mesh)
+    if (!isOfUser)
     {
       fromGiven.emplace(original);
     }

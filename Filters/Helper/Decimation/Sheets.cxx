@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Sheets.h"
 
-#include "Core/Mesh/Vector.h"
 #include "Core/Solid/WindingTree.h"
+#include "Helper/Decimation/ClosedSurface.h"
 #include "Helper/Resolve/Clean.h"
 
 #include <algorithm>
@@ -20,14 +20,8 @@ using FaceWithCorners = std::pair<std::array<Point, 3>, Face>;
 /** Whether the exterior lies in front of a face. Only its opposite may cover the face. */
 bool IsExteriorInFront(const WindingTree& windings, const std::array<Point, 3>& corners)
 {
-  constexpr double share = 1e-9; // of the longest edge: nothing else is as close
-  const auto& [a, b, c] = corners;
-  const Point normal = Cross(b - a, c - a);
-  const double length = std::max({ Length(b - a), Length(c - b), Length(a - c) });
-  const Point center = a / 3.0 + b / 3.0 + c / 3.0;
-  const Point inFront = center + share * length / Length(normal) * normal;
   constexpr double half = 0.5;
-  return std::abs(windings.Measure(inFront, { half })) < half;
+  return std::abs(windings.Measure(PointInFront(corners), { half })) < half;
 }
 
 } // namespace

@@ -270,6 +270,19 @@ TEST(Decimation, EnclosesLevelsOfFlatSheets)
   }
 }
 
+// The same for sheets in one plane, up to rounding.
+TEST(Decimation, EnclosesLevelsOfSheetsInOnePlane)
+{
+  for (int i = 0; i < NumberOfSurfaces; ++i)
+  {
+    SCOPED_TRACE(i);
+    std::mt19937_64 random(i);
+    const TriangleMesh sheets = models::Joined(
+      models::Sheet(2 + i % 4), models::Moved(models::Sheet(3), { 1.5, random() % 9 / 9.0, 0.0 }));
+    ExpectToEncloseDecimated(RandomLevel(models::Rotated(sheets, random), random), false, random);
+  }
+}
+
 // A facet with two sides is a component that cannot collapse.
 TEST(Decimation, KeepsFacetsWithTwoSides)
 {
@@ -466,6 +479,15 @@ TEST(Decimation, AcceptsSoupsAndInwardSurfaces)
   {
     ExpectEnclosingSurface(sphere, Decimate(mesh, { 50 })[0], random);
   }
+}
+
+// Each of several parts may be given inside out.
+TEST(Decimation, AcceptsPartsThatAreInsideOut)
+{
+  std::mt19937_64 random(7);
+  const TriangleMesh ball = models::Sphere(2), far = models::Moved(ball, { 3.0, 0.0, 0.0 });
+  const TriangleMesh given = models::Joined(ball, models::Flipped(far));
+  ExpectEnclosingSurface(models::Joined(ball, far), Decimate(given, { 100 })[0], random);
 }
 
 // A surface that is open, not manifold, or crosses itself is refused with the place.

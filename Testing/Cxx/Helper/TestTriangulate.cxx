@@ -17,24 +17,24 @@ using namespace carving::helper;
 namespace
 {
 
-Contours Resolved(const ContourSet& given, int& splitPoints)
+Contours ResolvedContours(const ContourSet& given, int& splitPoints)
 {
   Contours contours = Clean(AsContours(given, false));
   EXPECT_EQ(Resolve(contours, splitPoints, {}), "");
   return contours;
 }
 
-Contours Resolved(const ContourSet& given)
+Contours ResolvedContours(const ContourSet& given)
 {
   int splitPoints = 0;
-  return Resolved(given, splitPoints);
+  return ResolvedContours(given, splitPoints);
 }
 
 Decomposition<2> Triangulated(
   const ContourSet& given, InitialApproximation initial = InitialApproximation::ConvexHull)
 {
   Decomposition<2> result;
-  EXPECT_EQ(Triangulate(Resolved(given), initial, given, result), "");
+  EXPECT_EQ(Triangulate(ResolvedContours(given), initial, given, result), "");
   return result;
 }
 
@@ -139,9 +139,9 @@ TEST(CleanContours, AddsMultiplicities)
 TEST(ResolveContours, SplitsACrossing)
 {
   int splitPoints = 0;
-  const Contours contours =
-    Resolved({ { { 0, 0, 0 }, { 4, 4, 8 }, { 0, 2, 2 }, { 2, 0, 2 } }, { { 0, 1 }, { 2, 3 } } },
-      splitPoints);
+  const Contours contours = ResolvedContours(
+    { { { 0, 0, 0 }, { 4, 4, 8 }, { 0, 2, 2 }, { 2, 0, 2 } }, { { 0, 1 }, { 2, 3 } } },
+    splitPoints);
   EXPECT_EQ(splitPoints, 1);
   EXPECT_EQ(contours.Facets.size(), 4u);
   EXPECT_EQ(contours.Points.back(), (Point{ 1, 1, 2 }));
@@ -153,9 +153,9 @@ TEST(ResolveContours, SplitsACrossing)
 TEST(ResolveContours, SplitsAtAnEnd)
 {
   int splitPoints = 0;
-  const Contours contours =
-    Resolved({ { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 1, 5, 0 } }, { { 0, 1 }, { 2, 3 } } },
-      splitPoints);
+  const Contours contours = ResolvedContours(
+    { { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 1, 5, 0 } }, { { 0, 1 }, { 2, 3 } } },
+    splitPoints);
   EXPECT_EQ(splitPoints, 1);
   EXPECT_EQ(contours.Points.size(), 4u);
   EXPECT_EQ(contours.Facets.size(), 3u);
@@ -164,8 +164,8 @@ TEST(ResolveContours, SplitsAtAnEnd)
 // The common part of overlapping edges becomes one edge with added multiplicities.
 TEST(ResolveContours, MergesOverlaps)
 {
-  const Contours contours =
-    Resolved({ { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 } }, { { 0, 1 }, { 3, 2 } } });
+  const Contours contours = ResolvedContours(
+    { { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 } }, { { 0, 1 }, { 3, 2 } } });
   EXPECT_EQ(contours.Multiplicities, (std::vector<int>{ 1, 2, 1 }));
   EXPECT_EQ(contours.SignedMultiplicities, (std::vector<int>{ 1, 0, 1 }));
 }
@@ -175,7 +175,7 @@ TEST(ResolveContours, LeavesCleanContoursAlone)
 {
   const ContourSet square = RandomSegments(1, 0);
   int splitPoints = -1;
-  const Contours contours = Resolved(square, splitPoints);
+  const Contours contours = ResolvedContours(square, splitPoints);
   EXPECT_EQ(splitPoints, 0);
   EXPECT_EQ(contours.Points, square.Points);
   EXPECT_EQ(contours.Facets, square.Edges);
@@ -187,7 +187,7 @@ TEST(ResolveContours, LeavesNoCrossing)
   for (unsigned int seed = 0; seed < 20; ++seed)
   {
     int splitPoints = 0;
-    const Contours contours = Resolved(RandomSegments(seed, 30), splitPoints);
+    const Contours contours = ResolvedContours(RandomSegments(seed, 30), splitPoints);
     EXPECT_GT(splitPoints, 30);
     EXPECT_EQ(CountCrossings(contours), 0) << "seed " << seed;
   }
@@ -206,7 +206,7 @@ TEST(ResolveContours, ResolvesNearlyCollinearEdges)
       set.Points.push_back({ 100 + 0.8 * x - 0.3 * y, 100 + 0.1 * x + 0.7 * y, 0 });
       set.Edges.push_back({ i, (i + 1) % 40 });
     }
-    const Contours contours = Resolved(set);
+    const Contours contours = ResolvedContours(set);
     EXPECT_EQ(CountCrossings(contours), 0) << "seed " << seed;
   }
 }
@@ -259,7 +259,8 @@ TEST(Triangulate, RefusesContoursWithoutArea)
   const ContourSet line = { { { 0, 0, 0 }, { 1, 1, 0 } }, { { 0, 1 } } };
   Decomposition<2> result;
   const auto initial = InitialApproximation::ConvexHull;
+  EXPECT_NE(Triangulate(ResolvedContours(nothing), initial, nothing, result).find("No edge"),
+    std::string::npos);
   EXPECT_NE(
-    Triangulate(Resolved(nothing), initial, nothing, result).find("No edge"), std::string::npos);
-  EXPECT_NE(Triangulate(Resolved(line), initial, line, result).find("one line"), std::string::npos);
+    Triangulate(ResolvedContours(line), initial, line, result).find("one line"), std::string::npos);
 }

@@ -8,10 +8,11 @@
  * fewer vertices, encloses the input (no point of the input lies outside), does not cross itself,
  * and has the same components and tunnels. Edges collapse in the order of a quadric error. Each new
  * vertex lies on the outer side of all faces around its edge ("progressive hull", Sander et al.,
- * "Silhouette clipping", 2000), and then slides inward until its faces touch the input. This filter
- * is not part of the paper on carving. The work is done by the helper program.
+ * "Silhouette clipping", 2000), and then slides inward until its faces touch the input. Unless
+ * surfaces have to be nested, an edge without an outer side collapses into an end that leaves the
+ * input enclosed. This filter is not part of the paper on carving. The work is done by the helper program.
  *
- * For a number of vertices or triangles, an input of up to 20,000 points is decimated twice. The
+ * For a number of vertices or triangles, an input of up to 30,000 points is decimated twice. The
  * second time, no collapse may make a face that is farther from the input than a bound. The bound
  * rises from about a third of the distance of the first result until the number is reached. The
  * second result is a third to a half closer. Both take three to six times as long as the first.

@@ -27,7 +27,7 @@ struct LevelTrial
   int LastStep; ///< of the targets
   int Step;
   std::vector<TrialTarget> Targets; ///< from fine to coarse
-  std::vector<double> Dropped;      ///< targets for which the step is not worth its time
+  std::vector<TrialTarget> Dropped; ///< targets for which the step is not worth its time
   carving::Decimation Result;
   std::string Error;       ///< empty if the step could be decimated
   std::vector<int> Points; ///< of the step's surface, in the stream
@@ -54,7 +54,7 @@ void DropTargetsIf(LevelTrial& trial, Predicate&& predicate)
   {
     if (predicate(target))
     {
-      trial.Dropped.push_back(target.Value);
+      trial.Dropped.push_back(target);
     }
     else
     {

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <utility>
 
 namespace
 {
 
+using carving::DecimationOptions;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
@@ -136,34 +136,35 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   }
   TrialRunner runner(leaf, carved.Stream, settings.ThreadsOfLeaf, stages);
   const std::vector<LevelTrial>& trials = runner.GetTrials();
-  // Results of neighboring steps differ with no visible rule, so that more trials find better ones.
-  // Steps of more vertices take longer. Those beyond `many` are never tried between others.
-  constexpr int few = carving::DecimationOptions::FewVertices;
-  constexpr int many = carving::DecimationOptions::ManyVertices;
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };
-  // The best steps first, and others when that has been worth it.
-  const auto tighter = [&] { return PlanTighterTrials(profile, targets, trials); };
-  const auto tighterBetween = [&] { return PlanTighterTrialsBetween(profile, targets, trials); };
-  std::function<std::vector<LevelTrial>()> rounds[] = {
+  std::vector<std::function<std::vector<LevelTrial>()>> rounds = {
     [&] { return PlanTrialsOfLastSteps(targets); },
     [&] { return PlanTrials(profile, targets, trials); },
-    [&] { return between(many); },
-    [&] { return between(many); },
-    [&] { return between(many); },
-    [&] { return between(few); },
-    [&] { return between(few); },
-    tighter,
-    tighter,
-    tighterBetween,
-    tighterBetween,
-    tighterBetween,
+    [&] { return between(DecimationOptions::ManyVertices); },
   };
+  if (targets.front().Type == LevelTarget::ErrorBound)
+  {
+    // Results of neighboring steps differ with no visible rule, so that more trials find better
+    // ones. Steps of more vertices take longer.
+    for (const int mostVertices :
+      { DecimationOptions::ManyVertices, DecimationOptions::ManyVertices,
+        DecimationOptions::FewVertices, DecimationOptions::FewVertices })
+    {
+      rounds.push_back([&, mostVertices] { return between(mostVertices); });
+    }
+  }
+  else
+  {
+    constexpr int tighterRounds = 6; // most targets are done after fewer
+    rounds.resize(
+      rounds.size() + tighterRounds, [&] { return PlanTighterTrials(profile, targets, trials); });
+  }
   if (TriesCoarseStepsFirst(targets))
   {
     std::swap(rounds[0], rounds[1]);
   }
-  const double share = 1.0 / std::size(rounds);
+  const double share = 1.0 / rounds.size();
   double done = 0.0;
   for (const auto& plan : rounds)
   {

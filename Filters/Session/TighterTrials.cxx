@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -13,16 +14,86 @@ using carving::DecimationOptions;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-bool IsBound(const LevelTrial& trial)
+bool AnyTarget(const std::vector<TrialTarget>& targets, double value,
+  const std::function<bool(double bound)>& predicate)
 {
-  return !trial.Targets.empty() && !std::isinf(trial.Targets.front().Bound);
+  return std::any_of(targets.begin(), targets.end(),
+    [&](const TrialTarget& target) { return target.Value == value && predicate(target.Bound); });
 }
 
-bool IsBoundFor(const LevelTrial& trial, const SimplifiedTarget& target)
+/**
+ * Whether there is nothing to gain from a step any more: it has been tried within a bound, is
+ * farther from M than a bound, or has stuck above the number.
+ */
+bool IsDone(const std::vector<LevelTrial>& trials, int step, const SimplifiedTarget& target)
 {
-  return IsBound(trial) && trial.LastStep == target.LastStep &&
-    std::any_of(trial.Targets.begin(), trial.Targets.end(),
-      [&](const TrialTarget& other) { return other.Value == target.Value; });
+  const auto isBound = [](double bound) { return std::isfinite(bound); };
+  return std::any_of(trials.begin(), trials.end(),
+    [&](const LevelTrial& trial)
+    {
+      return trial.LastStep == target.LastStep && trial.Step == step &&
+        (AnyTarget(trial.Targets, target.Value, isBound) ||
+          AnyTarget(trial.Dropped, target.Value, isBound) || HasStuck(trial, target));
+    });
+}
+
+/** What is sought for a target. */
+struct Search
+{
+  const SimplifiedTarget* Target;
+  int Step; ///< of the best trial
+  double Error;
+  double Bound; ///< for other steps
+};
+
+bool MayTry(const carving::Profile& profile, const std::vector<LevelTrial>& trials,
+  const Search& search, int step)
+{
+  constexpr double most = 32.0; // per vertex that is left; larger steps have not been better
+  const int vertices = profile.Vertices[step];
+  return vertices <= DecimationOptions::ManyVertices &&
+    (step == search.Step || vertices <= most * CountVertices(*search.Target)) &&
+    !IsDone(trials, step, *search.Target);
+}
+
+/** None where nothing more is to be sought: the last trials have gained nothing. */
+std::optional<Search> StartSearch(const carving::Profile& profile,
+  const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
+{
+  const BestTrial best = FindBestTrial(trials, target);
+  if (target.Type == LevelTarget::ErrorBound || !best.Trial || !best.Surface->Reached)
+  {
+    return std::nullopt;
+  }
+  // Trials of large steps take longer, and have to gain more.
+  const int step = best.Trial->Step;
+  const bool few = profile.Vertices[step] <= DecimationOptions::FewVertices;
+  const double closer = few ? 0.97 : 0.94;
+  const int enough = few ? 3 : 2;
+  const double error = best.Surface->Error, bound = closer * error;
+  const auto inVain = std::count_if(trials.begin(), trials.end(),
+    [&](const LevelTrial& trial)
+    {
+      return trial.LastStep == target.LastStep &&
+        AnyTarget(trial.Targets, target.Value, [bound](double other) { return other == bound; });
+    });
+  return inVain < enough ? std::make_optional(Search{ &target, step, error, bound }) : std::nullopt;
+}
+
+/** The steps that are tried next. */
+std::vector<int> FindNextSteps(
+  const carving::Profile& profile, const std::vector<LevelTrial>& trials, const Search& search)
+{
+  std::vector<int> steps = { search.Step };
+  const NeighborSteps tried = FindNeighborSteps(trials, search.Step, *search.Target);
+  for (const int neighbor : { tried.Coarser, tried.Finer })
+  {
+    const auto [coarser, finer] = std::minmax(search.Step, neighbor);
+    steps.push_back(MayTry(profile, trials, search, neighbor)
+        ? neighbor
+        : FindStepBetween(profile, coarser, finer).value_or(search.Step));
+  }
+  return steps;
 }
 
 } // namespace
@@ -38,58 +109,28 @@ double FindTighterBound(int vertices, double error)
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
   const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
 {
-  constexpr double similar = 0.85;
-  constexpr std::size_t most = 5; // per target
   std::vector<LevelTrial> added;
+  std::vector<Search> searches; // for this target and coarser ones
   for (const SimplifiedTarget& target : targets)
   {
-    std::vector<BestTrial> closest = RankTrials(trials, target);
-    const bool isFirst = std::none_of(trials.begin(), trials.end(),
-      [&](const LevelTrial& trial) { return IsBoundFor(trial, target); });
-    const bool goesOn = !closest.empty() && closest.front().Surface->Reached &&
-      (isFirst || IsBound(*closest.front().Trial));
-    if (target.Type == LevelTarget::ErrorBound || !goesOn)
+    const std::optional<Search> started = StartSearch(profile, trials, target);
+    if (!started)
     {
       continue;
     }
-    closest.erase(std::remove_if(closest.begin(), closest.end(),
-                    [](const BestTrial& found) { return IsBound(*found.Trial); }),
-      closest.end());
-    const double error = closest.front().Surface->Error;
-    const std::size_t begin = isFirst ? 0 : 1, end = isFirst ? 1 : std::min(most, closest.size());
-    for (std::size_t i = begin; i < end; ++i)
+    searches.push_back(*started);
+    for (const int step : FindNextSteps(profile, trials, *started))
     {
-      const auto& [trial, surface] = closest[i];
-      const int vertices = profile.Vertices[trial->Step];
-      const double bound = FindTighterBound(vertices, error);
-      const bool isAffordable = isFirst || vertices <= DecimationOptions::FewVertices;
-      if (isAffordable && std::isfinite(bound) && surface->Reached &&
-        similar * surface->Error <= error)
+      // Most of the time goes into the first collapses, so that coarser targets cost little.
+      for (const Search& search : searches)
       {
-        AddTarget(added, target, trial->Step, bound);
-      }
-    }
-  }
-  return added;
-}
-
-std::vector<LevelTrial> PlanTighterTrialsBetween(const carving::Profile& profile,
-  const std::vector<SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials)
-{
-  constexpr double closer = 0.97;
-  std::vector<LevelTrial> added;
-  for (const SimplifiedTarget& target : targets)
-  {
-    const BestTrial best = FindBestTrial(trials, target);
-    if (!best.Trial || !best.Surface->Reached || !IsBound(*best.Trial))
-    {
-      continue;
-    }
-    for (const auto& [step, finer] : FindStepsBetween(profile, trials, *best.Trial, target))
-    {
-      if (profile.Vertices[step] <= DecimationOptions::FewVertices)
-      {
-        AddTarget(added, target, step, closer * best.Surface->Error);
+        const bool isOwn = step == search.Step;
+        if ((search.Target == &target || !isOwn) && search.Target->LastStep == target.LastStep &&
+          MayTry(profile, trials, search, step))
+        {
+          AddTarget(added, *search.Target, step,
+            isOwn ? FindTighterBound(profile.Vertices[step], search.Error) : search.Bound);
+        }
       }
     }
   }

@@ -17,22 +17,14 @@
 double FindTighterBound(int vertices, double error);
 
 /**
- * The steps of the best trials for numbers, which are tried again: within bounds that are raised to
- * a little below the distances that have been reached. Not for steps with many vertices, which would
- * take long.
- *
- * At first, this is the best step for each number. Next, these are other good steps with few
- * vertices for the numbers that have gained: hardly any step gains where the best one has not.
+ * Steps that are decimated for numbers, within bounds a little below the distances that have been
+ * reached: those of the best trials, and the next coarser and finer ones that have been tried.
+ * Within a bound, a result may be as close as its step is, and finer steps are closer, so that a
+ * result without a bound tells little. Where there is nothing to gain from a neighbor, the step
+ * halfway to it takes its place. Nothing is planned for a number for which the last trials have
+ * gained nothing.
  */
 std::vector<LevelTrial> PlanTighterTrials(const carving::Profile& profile,
-  const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
-
-/**
- * Steps halfway between the best trial for each number and the next ones before and after, if a
- * bound has made that trial the best and the step has few vertices. Within a bound, a result may be
- * as close as its step is: finer steps are closer.
- */
-std::vector<LevelTrial> PlanTighterTrialsBetween(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& trials);
 
 #endif

@@ -19,7 +19,8 @@ bool HaveSameTopology(const Profile& profile, int a, int b)
     profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
 }
 
-/** Whether a trial without bounds has stuck above a number. */
+} // namespace
+
 bool HasStuck(const LevelTrial& trial, const SimplifiedTarget& target)
 {
   const std::vector<carving::DecimatedSurface>& surfaces = trial.Result.Surfaces;
@@ -33,6 +34,9 @@ bool HasStuck(const LevelTrial& trial, const SimplifiedTarget& target)
   }
   return false;
 }
+
+namespace
+{
 
 /**
  * Whether a step has been found to keep more vertices than a target asks for, as where parts touch
@@ -150,44 +154,38 @@ std::vector<int> SelectSteps(
 
 bool IsPlannedFor(const LevelTrial& trial, double value)
 {
-  return std::find(trial.Dropped.begin(), trial.Dropped.end(), value) != trial.Dropped.end() ||
-    std::any_of(trial.Targets.begin(), trial.Targets.end(),
-      [value](const TrialTarget& target) { return target.Value == value; });
+  const auto isFor = [value](const TrialTarget& target) { return target.Value == value; };
+  return std::any_of(trial.Targets.begin(), trial.Targets.end(), isFor) ||
+    std::any_of(trial.Dropped.begin(), trial.Dropped.end(), isFor);
 }
 
 } // namespace
 
-std::vector<StepBetween> FindStepsBetween(const Profile& profile,
-  const std::vector<LevelTrial>& trials, const LevelTrial& trial, const SimplifiedTarget& target)
+NeighborSteps FindNeighborSteps(
+  const std::vector<LevelTrial>& trials, int of, const SimplifiedTarget& target)
 {
-  int coarser = trial.Step, finer = trial.Step;
-  for (const LevelTrial& other : trials)
+  NeighborSteps steps = { of, of };
+  for (const LevelTrial& trial : trials)
   {
-    const int step = IsPlannedFor(other, target.Value) ? other.Step : trial.Step;
-    if (step < trial.Step && (coarser == trial.Step || step > coarser))
+    const int step = IsPlannedFor(trial, target.Value) ? trial.Step : of;
+    if (step < of && (steps.Coarser == of || step > steps.Coarser))
     {
-      coarser = step;
+      steps.Coarser = step;
     }
-    if (step > trial.Step && step <= trial.LastStep && (finer == trial.Step || step < finer))
+    if (step > of && step <= target.LastStep && (steps.Finer == of || step < steps.Finer))
     {
-      finer = step;
-    }
-  }
-  std::vector<StepBetween> steps;
-  for (const auto& [low, high] :
-    { std::array{ coarser, trial.Step }, std::array{ trial.Step, finer } })
-  {
-    const bool sameCount = profile.Vertices[low] == profile.Vertices[high];
-    const int middle = sameCount
-      ? (low + high) / 2
-      : FindStep(profile, high,
-          std::sqrt(static_cast<double>(profile.Vertices[low]) * profile.Vertices[high]));
-    if (middle > low && middle < high)
-    {
-      steps.push_back({ middle, high });
+      steps.Finer = step;
     }
   }
   return steps;
+}
+
+std::optional<int> FindStepBetween(const Profile& profile, int coarser, int finer)
+{
+  const double low = profile.Vertices[coarser], high = profile.Vertices[finer];
+  const int step =
+    low == high ? (coarser + finer) / 2 : FindStep(profile, finer, std::sqrt(low * high));
+  return step > coarser && step < finer ? std::make_optional(step) : std::nullopt;
 }
 
 bool TriesCoarseStepsFirst(const std::vector<SimplifiedTarget>& targets)
@@ -242,15 +240,21 @@ std::vector<LevelTrial> PlanTrialsBetween(const Profile& profile,
   for (auto target = targets.begin(); target != targets.end(); ++target)
   {
     const BestTrial best = FindBestTrial(trials, *target);
-    for (const auto& [step, finer] : best.Trial
-        ? FindStepsBetween(profile, trials, *best.Trial, *target)
-        : std::vector<StepBetween>())
+    if (!best.Trial)
     {
-      if (profile.Vertices[step] <= mostVertices &&
-        (!HaveSameTopology(profile, step, finer) || KeepsTooMany(trials, finer, *target)))
+      continue;
+    }
+    const int own = best.Trial->Step;
+    const NeighborSteps tried = FindNeighborSteps(trials, own, *target);
+    for (const auto& [coarser, finer] :
+      { std::array{ tried.Coarser, own }, std::array{ own, tried.Finer } })
+    {
+      const std::optional<int> step = FindStepBetween(profile, coarser, finer);
+      if (step && profile.Vertices[*step] <= mostVertices &&
+        (!HaveSameTopology(profile, *step, finer) || KeepsTooMany(trials, finer, *target)))
       {
         // A coarser level may not come from a later step, so the coarser targets are tried as well.
-        AddTargets(added, target->LastStep, step, targets.begin(), FindEnd(targets, target));
+        AddTargets(added, target->LastStep, *step, targets.begin(), FindEnd(targets, target));
       }
     }
   }

@@ -13,6 +13,7 @@
 
 #include "Session/LevelTrials.h"
 
+#include <optional>
 #include <vector>
 
 /**
@@ -38,17 +39,22 @@ std::vector<LevelTrial> PlanTrialsOfLastSteps(
 std::vector<LevelTrial> PlanTrials(const carving::Profile& profile,
   const std::vector<carving::SimplifiedTarget>& targets, const std::vector<LevelTrial>& known);
 
-/** A step halfway between two that have been tried. */
-struct StepBetween
+/** The steps next to another. Equal to that one where there is none. */
+struct NeighborSteps
 {
-  int Step;
-  int Finer; ///< the finer one of the two
+  int Coarser;
+  int Finer;
 };
 
-/** The steps halfway from a trial to the next ones that have been tried for a target. */
-std::vector<StepBetween> FindStepsBetween(const carving::Profile& profile,
-  const std::vector<LevelTrial>& trials, const LevelTrial& trial,
-  const carving::SimplifiedTarget& target);
+/** The next steps that have been tried for a target. */
+NeighborSteps FindNeighborSteps(
+  const std::vector<LevelTrial>& trials, int of, const carving::SimplifiedTarget& target);
+
+/** The step halfway between two others, by their numbers of vertices, if there is one. */
+std::optional<int> FindStepBetween(const carving::Profile& profile, int coarser, int finer);
+
+/** Whether a trial without bounds has stuck above a number. */
+bool HasStuck(const LevelTrial& trial, const carving::SimplifiedTarget& target);
 
 /**
  * Steps halfway between the best trial for each target and the next ones that have been tried

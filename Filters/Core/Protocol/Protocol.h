@@ -53,7 +53,7 @@ struct DecimationOptions
    * A surface of more vertices is close to the mesh. Measuring distances and moving vertices after
    * the collapses are not worth the time.
    */
-  static constexpr int ManyVertices = 20000;
+  static constexpr int ManyVertices = 30000;
 
   DecimationTarget Type = DecimationTarget::Vertices;
   /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */

@@ -284,11 +284,13 @@ std::vector<Point> Decimator::FindOutward(const Attempt& attempt)
       }
     }
   }
+  const bool mayShrink = positions.empty() && !this->Nested && this->KeepsTopology(edge);
   for (const Vertex end : { this->Surface.source(edge), this->Surface.target(edge) })
   {
-    if (this->UsesEnds && IsOutside(star, this->Surface.point(end)))
+    const Point& p = this->Surface.point(end);
+    if (IsOutside(star, p) ? this->UsesEnds : mayShrink && this->IsValid(star, p))
     {
-      positions.push_back(this->Surface.point(end));
+      positions.push_back(p);
     }
   }
   std::stable_sort(positions.begin(), positions.end(),

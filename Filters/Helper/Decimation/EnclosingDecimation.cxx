@@ -26,6 +26,9 @@ namespace
  */
 constexpr double MostToTryHarder = 2000.0;
 
+/** The same for the greatest bound, after which there is no other way to reach a number. */
+constexpr double MostAboveTargetAtLast = 1.6;
+
 /** Each later round would gain little. */
 constexpr int TighteningRounds = 2;
 
@@ -165,8 +168,13 @@ std::string Decimate(Decimator& decimator, const FaceDistance<3>& fromM,
       };
       const auto triesHarder = [&]
       {
-        return byError ? count() <= MostToTryHarder
-                       : !isBounded || count() <= MostAboveTarget * target;
+        if (byError)
+        {
+          return count() <= MostToTryHarder;
+        }
+        const double most =
+          isBounded && *bound < options.Bounds[i] ? MostAboveTarget : MostAboveTargetAtLast;
+        return !isBounded || count() <= most * target;
       };
       reached = decimator.Run(goesOn, triesHarder) && !hopeless;
       bound = byError || reached ? std::nullopt

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -77,6 +78,37 @@ carving::Profile TunnelAtEachStep()
     profile.Error.push_back(LastStep - step);
   }
   return profile;
+}
+
+carving::Profile StepsOfFewVertices()
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (int step = 0; step <= LastStep; ++step)
+  {
+    profile.Vertices[step] = 2000 + step;
+  }
+  return profile;
+}
+
+/** A trial for 400 vertices within a bound. */
+LevelTrial MakeBoundTrial(int step, double error, double bound)
+{
+  LevelTrial trial = MakeTrial(step, { { 400.0, error } });
+  trial.Targets.front().Bound = bound;
+  return trial;
+}
+
+/** The steps that are tried within bounds for 400 vertices, in ascending order. */
+std::vector<int> FindBoundSteps(const std::vector<LevelTrial>& trials)
+{
+  std::vector<int> steps;
+  for (const LevelTrial& trial :
+    PlanTighterTrials(StepsOfFewVertices(), MakeTargets({ 400.0 }), trials))
+  {
+    steps.push_back(trial.Step);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
 }
 
 using Counts = std::vector<double>;
@@ -166,54 +198,75 @@ TEST(LevelTrials, AreBoundUnlessStepsAreLarge)
   EXPECT_EQ(countBound(carving::DecimationOptions::ManyVertices + 1), 0u);
 }
 
-// Once the best step has been tried within a bound, other steps with few vertices follow for the
-// numbers that have gained, and for no others.
-TEST(LevelTrials, AreBoundForOtherStepsWhereTheBestHasGained)
+// The next steps that have been tried are tried within a bound, too, however far their results are:
+// without a bound, results tell little.
+TEST(LevelTrials, AreBoundNextToTheBest)
 {
-  carving::Profile profile = TunnelAtEachStep();
-  for (int step = 0; step <= LastStep; ++step)
-  {
-    profile.Vertices[step] = 2000 + step;
-  }
-  const auto findSteps = [&profile](double error)
-  {
-    std::vector<LevelTrial> trials = { MakeTrial(49, { { 400.0, 0.31 } }),
-      MakeTrial(48, { { 400.0, 0.3 } }), MakeTrial(47, { { 400.0, 0.5 } }),
-      MakeTrial(LastStep, { { 400.0, 0.32 } }), MakeTrial(48, { { 400.0, error } }) };
-    trials.back().Targets.front().Bound = 0.29;
-    std::vector<int> steps;
-    for (const LevelTrial& trial : PlanTighterTrials(profile, MakeTargets({ 400.0 }), trials))
-    {
-      steps.push_back(trial.Step);
-    }
-    return steps;
-  };
-  EXPECT_EQ(findSteps(0.28), (std::vector<int>{ 49, LastStep }));
-  EXPECT_EQ(findSteps(0.3), std::vector<int>());
+  const std::vector<LevelTrial> trials = { MakeTrial(20, { { 400.0, 0.9 } }),
+    MakeTrial(60, { { 400.0, 0.3 } }), MakeTrial(LastStep, { { 400.0, 0.8 } }) };
+  EXPECT_EQ(FindBoundSteps(trials), (std::vector<int>{ 20, 60, LastStep }));
 }
 
-// Once a bound has made a step the best, those halfway to its neighbors are tried within a closer one.
-TEST(LevelTrials, AreBoundBetweenStepsWhereABoundHasGained)
+// Where a neighbor has been tried within a bound, has stuck, or has been found to be too far, the
+// step halfway to it takes its place.
+TEST(LevelTrials, AreBoundBetweenStepsThatHaveBeenTried)
 {
-  carving::Profile profile = TunnelAtEachStep();
-  for (int step = 0; step <= LastStep; ++step)
-  {
-    profile.Vertices[step] = 2000 + step;
-  }
-  std::vector<LevelTrial> trials = { MakeTrial(20, { { 400.0, 0.4 } }),
-    MakeTrial(60, { { 400.0, 0.3 } }), MakeTrial(LastStep, { { 400.0, 0.5 } }) };
-  const std::vector<SimplifiedTarget> targets = MakeTargets({ 400.0 });
-  EXPECT_TRUE(PlanTighterTrialsBetween(profile, targets, trials).empty());
-  trials.push_back(MakeTrial(60, { { 400.0, 0.2 } }));
-  trials.back().Targets.front().Bound = 0.29;
-  const std::vector<LevelTrial> added = PlanTighterTrialsBetween(profile, targets, trials);
+  const LevelTrial best = MakeBoundTrial(60, 0.2, 0.29);
+  LevelTrial stuck = MakeTrial(LastStep, { { 400.0, 0.9 } });
+  stuck.Result.Surfaces.front().Reached = false;
+  const std::vector<int> both = FindBoundSteps({ MakeBoundTrial(20, 0.3, 0.28), best, stuck });
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_NEAR(both[0], 40, 1);
+  EXPECT_NEAR(both[1], 80, 1);
+  LevelTrial far = MakeBoundTrial(20, 0.9, 0.28);
+  far.Result.Surfaces.clear();
+  DropTargetsIf(far, [](const TrialTarget&) { return true; });
+  const std::vector<int> coarser = FindBoundSteps({ far, best });
+  ASSERT_EQ(coarser.size(), 1u);
+  EXPECT_NEAR(coarser[0], 40, 1);
+}
+
+// Bounds are a little below the distance that has been reached.
+TEST(LevelTrials, AreBoundBelowTheDistance)
+{
+  const std::vector<LevelTrial> added =
+    PlanTighterTrials(StepsOfFewVertices(), MakeTargets({ 400.0 }),
+      { MakeTrial(20, { { 400.0, 0.4 } }), MakeTrial(60, { { 400.0, 0.3 } }) });
   ASSERT_EQ(added.size(), 2u);
-  EXPECT_NEAR(added[0].Step, 40, 1);
-  EXPECT_NEAR(added[1].Step, 80, 1);
   for (const LevelTrial& trial : added)
   {
-    EXPECT_LT(trial.Targets.front().Bound, 0.2);
+    EXPECT_LT(trial.Targets.front().Bound, 0.3);
+    EXPECT_GT(trial.Targets.front().Bound, 0.27);
   }
+}
+
+// A step is tried for all coarser numbers that are sought, too, unless it is the best of another.
+TEST(LevelTrials, AreBoundForCoarserNumbersToo)
+{
+  const std::vector<LevelTrial> trials = { MakeTrial(60, { { 400.0, 0.3 }, { 200.0, 0.4 } }),
+    MakeTrial(LastStep, { { 400.0, 0.5 }, { 200.0, 0.6 } }) };
+  const std::vector<LevelTrial> added =
+    PlanTighterTrials(StepsOfFewVertices(), MakeTargets({ 200.0, 400.0 }), trials);
+  ASSERT_EQ(added.size(), 2u);
+  EXPECT_EQ(added[0].Targets.size(), 2u);
+  EXPECT_EQ(added[1].Targets.size(), 2u);
+}
+
+// Bounds end where the last ones have gained nothing.
+TEST(LevelTrials, EndWhereBoundsGainNothing)
+{
+  std::vector<LevelTrial> trials = { MakeBoundTrial(60, 0.2, 0.29) };
+  EXPECT_EQ(FindBoundSteps({ trials[0], MakeTrial(20, { { 400.0, 0.9 } }) }).size(), 1u);
+  const double bound = PlanTighterTrials(
+    StepsOfFewVertices(), MakeTargets({ 400.0 }), { trials[0], MakeTrial(20, { { 400.0, 0.9 } }) })
+                         .front()
+                         .Targets.front()
+                         .Bound;
+  for (const int step : { 20, 40, 80 })
+  {
+    trials.push_back(MakeBoundTrial(step, 0.25, bound));
+  }
+  EXPECT_EQ(FindBoundSteps(trials), std::vector<int>());
 }
 
 // Of the trials that reach a number, the closest to M comes first. A level with fewer vertices
@@ -293,7 +346,7 @@ TEST(LevelTrials, TryEarlierStepsWherePartsTouch)
   };
   EXPECT_EQ(findSteps(), (std::vector<int>{ 2, 0 }));
   trials[0].VerticesThatTouch = 9000;
-  trials[0].Dropped = { 300.0 };
+  trials[0].Dropped = { { 300.0 } };
   EXPECT_EQ(findSteps(), (std::vector<int>{ 49, 2, 0 })); // 5,000 of 10,100 vertices; 300; the hull
   trials.push_back(MakeTrial(49, { { 300, 0.1 } }));
   const std::vector<LevelTrial> between = PlanTrialsBetween(profile, targets, trials, VerticesOfM);

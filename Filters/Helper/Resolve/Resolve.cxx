@@ -102,6 +102,23 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
   return result;
 }
 
+/**
+ * The number of pairs that counts for a limit. Boxes that touch have walls in common planes, and their
+ * other walls cross in common lines, so that few points come of many pairs.
+ */
+std::size_t CountForLimit(const ResolvedMesh& mesh, const Pairs& pairs)
+{
+  constexpr std::size_t most = 20000;       // they are resolved in about two seconds
+  constexpr std::size_t forEachInPlane = 4; // the pair itself, and others in the same lines
+  if (pairs.size() > most)
+  {
+    return pairs.size();
+  }
+  const std::size_t inPlane = std::count_if(pairs.begin(), pairs.end(),
+    [&mesh](const auto& pair) { return AreCoplanar(mesh, pair.first, pair.second); });
+  return pairs.size() - std::min(pairs.size(), forEachInPlane * inPlane);
+}
+
 /** Splits until no pair is left. */
 std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
   const std::function<ResolvedMesh(Pairs)>& split, double maximumPairs)
@@ -109,7 +126,8 @@ std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
   // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer, hardly
   // any further round mends that, and each takes longer.
   constexpr int maximumRounds = 10;
-  if (static_cast<double>(pairs.size()) > maximumPairs)
+  if (static_cast<double>(pairs.size()) > maximumPairs &&
+    static_cast<double>(CountForLimit(mesh, pairs)) > maximumPairs)
   {
     return std::to_string(pairs.size()) +
       " pairs of triangles cross each other, too many to be resolved.";

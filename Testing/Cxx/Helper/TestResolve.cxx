@@ -113,6 +113,35 @@ TEST(FindIntersections, FindsACrossingBesideASharedCorner)
   EXPECT_EQ(Intersections({ points, { { 0, 3, 4 }, { 0, 1, 2 } } }).size(), 1u);
 }
 
+// Boxes whose walls lie on each other are resolved although more pairs cross than the limit allows.
+// Others are not.
+TEST(Resolve, CopesWithManyWallsInCommonPlanes)
+{
+  std::mt19937_64 random(9);
+  TriangleMesh boxes;
+  for (int i = 0; i < 20; ++i)
+  {
+    Point lower, upper;
+    for (int k = 0; k < 3; ++k)
+    {
+      lower[k] = static_cast<double>(random() % 5);
+      upper[k] = lower[k] + 1.0 + static_cast<double>(random() % 3);
+    }
+    boxes = models::Joined(boxes, models::Box(lower, upper));
+  }
+  const auto resolve = [](const TriangleMesh& given)
+  {
+    ResolvedMesh mesh = Clean(AsResolved(given));
+    int pairs = 0;
+    const std::string mistake = Resolve(mesh, pairs, {}, 300.0);
+    EXPECT_GT(pairs, 300);
+    EXPECT_TRUE(!mistake.empty() || FindIntersections(mesh.Points, mesh.Facets).empty());
+    return mistake;
+  };
+  EXPECT_EQ(resolve(boxes), "");
+  EXPECT_NE(resolve(models::Lattice(20)), "");
+}
+
 // Resolving a mesh without intersections changes nothing.
 TEST(Resolve, LeavesACleanMeshAlone)
 {

@@ -6,6 +6,7 @@
 #include "ObjFile.h"
 #include "OffReader.h"
 #include "ReadCarefully.h"
+#include "StlFile.h"
 #include "System/TemporaryFile.h"
 
 #include "vtkAbstractArray.h"
@@ -71,6 +72,17 @@ std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mes
   return ReadWith<vtkOBJReader>(copy.GetPath(), log, mesh);
 }
 
+std::string ReadStl(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+{
+  const std::string mistake = StlFile::FindMistake(fileName);
+  if (!mistake.empty())
+  {
+    // Some programs write wrong counts.
+    log->Warnings.push_back("The file may end early: " + mistake + ".");
+  }
+  return ReadWith<vtkSTLReader>(fileName, log, mesh);
+}
+
 std::string ReadOffAsPolyData(const std::string& fileName, ErrorLog*, vtkPolyData* mesh)
 {
   OffMesh off;
@@ -101,7 +113,7 @@ std::string ReadFormat(
   using Read = std::string (*)(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh);
   const std::map<std::string, Read> formats = { { ".obj", &ReadObj },
     { ".off", &ReadOffAsPolyData }, { ".ply", &ReadCarefullyWith<vtkPLYReader> },
-    { ".stl", &ReadWith<vtkSTLReader> }, { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
+    { ".stl", &ReadStl }, { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
     { ".vtk", &ReadCarefullyWith<vtkPolyDataReader> } };
   const auto format = formats.find(extension);
   if (format == formats.end())

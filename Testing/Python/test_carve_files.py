@@ -419,6 +419,25 @@ class TestCarveFiles(CarveTestCase):
                 file.write(text)
             self.expect_failure(self.run_carve("broken.off"), 1, "broken.off", word)
 
+    def test_warns_of_a_truncated_stl_file(self):
+        """A binary STL file of fewer triangles than its head counts gets a warning with both numbers."""
+        name = self.write_cubes(vtkSTLWriter, "cubes.stl")
+        solid = read(vtkSTLReader, name)
+        writer = vtkSTLWriter()
+        writer.SetInputData(solid)
+        writer.SetFileName(self.path("whole.stl"))
+        writer.SetFileTypeToBinary()
+        writer.Write()
+        self.assertEqual(self.run_carve("whole.stl", "-o", "levels.vtm").stderr, "")
+        with open(self.path("whole.stl"), "rb") as file:
+            content = file.read()
+        count = solid.GetNumberOfCells()
+        with open(self.path("cut.stl"), "wb") as file:
+            file.write(content[:84 + 50 * (count - 2) + 7])
+        run = self.run_carve("cut.stl", "-o", "levels.vtm")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn(f"{count - 2} of the {count} triangles", run.stderr)
+
     def test_refuses_a_truncated_gzip_file(self):
         """A gzip file that ends early is an error."""
         name = self.path("cut.off.gz")

@@ -4,6 +4,7 @@
 #include "Convert/InputCells.h"
 #include "Convert/PolygonCutter.h"
 #include "Core/Mesh/LargePages.h"
+#include "Core/Protocol/Protocol.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkTriangleStrip.h"
@@ -35,7 +36,7 @@ std::string CarverInput::Gather(vtkPolyData* input)
   }
   this->AddPolygons(input);
   this->AddStrips(input);
-  return {};
+  return this->IsEmpty() ? carving::NothingToCarve : "";
 }
 
 void CarverInput::AddPolygons(vtkPolyData* input)

@@ -44,6 +44,10 @@ enum class DecimationTarget : int
   ErrorBound = 2 ///< the distance from the mesh, a length
 };
 
+/** The error if no triangle has an area. */
+constexpr const char* NothingToCarve =
+  "No triangle of the mesh has an area: there is nothing to carve.";
+
 /** The options of JobKind::Decimate. */
 struct DecimationOptions
 {

@@ -2,6 +2,7 @@
 #include "Helper/Exact/Tetrahedralize.h"
 
 #include "Core/Mesh/Buckets.h"
+#include "Core/Protocol/Protocol.h"
 #include "Helper/Base/Effort.h"
 #include "Helper/Base/Kernels.h"
 #include "Helper/Exact/FindConstraints.h"
@@ -207,7 +208,7 @@ std::string CheckVolume(const ResolvedMesh& surface, const std::vector<Point>& f
 {
   if (surface.Facets.empty())
   {
-    return "No triangle of the mesh has an area: there is nothing to carve.";
+    return NothingToCarve;
   }
   const bool flat = AreInPlane(surface.Points, surface) && AreInPlane(further, surface);
   return flat

@@ -176,6 +176,17 @@ TEST(TopologyCarver, GivesNothingForNothing)
   EXPECT_TRUE(messages.Errors.empty());
 }
 
+// A mesh whose triangles are points is an error, not an empty mesh.
+TEST(TopologyCarver, RefusesTrianglesThatArePoints)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  Carve(carver, ToPolyData({ std::vector<carving::Point>(3, { 1.0, 2.0, 3.0 }), { { 0, 1, 2 } } }));
+  EXPECT_EQ(CountLevels(carver), 0);
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_NE(messages.Errors[0].find("No triangle of the mesh has an area"), std::string::npos);
+}
+
 // Two filters give the same levels, stream and profile, bit for bit, whatever the number of
 // threads.
 TEST(TopologyCarver, IsDeterministic)

@@ -28,7 +28,7 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
     this->Stages.Start(1);
     this->Settings.ThreadsOfLeaf = settings.NumberOfThreads;
     this->Leaves.Start({ polyData }, initial, settings, 1, this->Settings.ThreadsOfLeaf);
-    good = this->UpdateLeaf(polyData, ports);
+    good = this->UpdateLeaf(polyData, "", ports);
   }
   else
   {
@@ -50,9 +50,10 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
 }
 
 template <int D>
-bool CarverSession<D>::UpdateLeaf(vtkPolyData* input, const CarverPorts& ports)
+bool CarverSession<D>::UpdateLeaf(
+  vtkPolyData* input, const std::string& where, const CarverPorts& ports)
 {
-  const auto leaf = this->Leaves.Get(input);
+  const auto leaf = this->Leaves.Get(input, where);
   if (!leaf)
   {
     return false;
@@ -65,7 +66,8 @@ bool CarverSession<D>::UpdateLeaf(vtkPolyData* input, const CarverPorts& ports)
     return true;
   }
   CarvedLeaf<D> carved;
-  if (!CarveLeaf(*leaf, this->Settings, this->Stages, carved) || !this->Simplify(*leaf, carved))
+  if (!CarveLeaf(*leaf, this->Settings, this->Stages, carved) ||
+    !this->Simplify(*leaf, where, carved))
   {
     return false;
   }
@@ -75,7 +77,8 @@ bool CarverSession<D>::UpdateLeaf(vtkPolyData* input, const CarverPorts& ports)
 }
 
 template <int D>
-bool CarverSession<D>::Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved)
+bool CarverSession<D>::Simplify(
+  const DecomposedLeaf<D>& leaf, const std::string& where, CarvedLeaf<D>& carved)
 {
   bool goOn = true;
   if constexpr (D == 3)
@@ -86,7 +89,7 @@ bool CarverSession<D>::Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& ca
       goOn = SimplifyLevels(leaf, this->Settings, this->Stages, carved, problems);
       for (const std::string& problem : problems)
       {
-        vtkWarningWithObjectMacro(this->Filter, << problem);
+        vtkWarningWithObjectMacro(this->Filter, << where << problem);
       }
     }
   }
@@ -134,7 +137,8 @@ void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int ind
   {
     stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
     profile = vtkSmartPointer<vtkTable>::New();
-    this->UpdateLeaf(leaf, { levels, stream, profile });
+    const std::string where = child.Name.empty() ? "" : "Block \"" + child.Name + "\": ";
+    this->UpdateLeaf(leaf, where, { levels, stream, profile });
   }
   else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))
   {

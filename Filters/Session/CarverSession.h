@@ -65,9 +65,10 @@ public:
     const CarverPorts& ports) override;
 
 private:
-  bool UpdateLeaf(vtkPolyData* input, const CarverPorts& ports);
+  /** `where` begins the leaf's messages. */
+  bool UpdateLeaf(vtkPolyData* input, const std::string& where, const CarverPorts& ports);
   /** Makes simplified levels if the settings say so. Returns false if the filter is to stop. */
-  bool Simplify(const DecomposedLeaf<D>& leaf, CarvedLeaf<D>& carved);
+  bool Simplify(const DecomposedLeaf<D>& leaf, const std::string& where, CarvedLeaf<D>& carved);
   bool UpdateTree(vtkDataObject* input, const CarverPorts& ports);
   /** Fills the block of a child in the outputs of its parent. */
   void UpdateChild(const CompositeChild& child, unsigned int index,

@@ -35,7 +35,8 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FindKept(vtkPolyD
 }
 
 template <int D>
-typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* input)
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(
+  vtkPolyData* input, const std::string& where)
 {
   LeafPointer leaf = this->FindKept(input);
   if (!leaf)
@@ -45,7 +46,7 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(vtkPolyData* 
     {
       this->StartRun(input);
     }
-    leaf = this->FinishRun(*this->FindRun(input));
+    leaf = this->FinishRun(*this->FindRun(input), where);
     this->Runs.erase(this->FindRun(input));
   }
   if (leaf && this->Settings.Reuse)
@@ -155,7 +156,8 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 }
 
 template <int D>
-typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run& run)
+typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(
+  Run& run, const std::string& where)
 {
   carving::Reply& reply = run.Leaf->Reply;
   if (run.IsStarted)
@@ -179,7 +181,7 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::FinishRun(Run& ru
   }
   if (!run.Error.empty())
   {
-    vtkErrorWithObjectMacro(this->Filter, << run.Error);
+    vtkErrorWithObjectMacro(this->Filter, << where << run.Error);
     return nullptr;
   }
   if (this->Settings.Reuse)

@@ -59,8 +59,11 @@ public:
   void Start(const std::vector<vtkPolyData*>& inputs, vtkPolyData* initial,
     const HelperSettings& settings, int numberOfThreads, int threadsOfLeaf);
 
-  /** Returns null after an error, which has been reported, and after an abort. */
-  LeafPointer Get(vtkPolyData* input);
+  /**
+   * Returns null after an error, which has been reported, and after an abort. `where` begins the
+   * message.
+   */
+  LeafPointer Get(vtkPolyData* input, const std::string& where);
 
   /**
    * Drops all results that the finished update has not used. An aborted update may not have reached
@@ -91,7 +94,7 @@ private:
   void StartNext();
   std::size_t CountRunning();
   bool HasMemoryFor(vtkPolyData* input) const;
-  LeafPointer FinishRun(Run& run);
+  LeafPointer FinishRun(Run& run, const std::string& where);
 
   vtkAlgorithm* Filter;
   CarverStages& Stages;

@@ -95,6 +95,7 @@ TEST(Composite, GoesOnAfterABadLeaf)
 {
   vtkNew<vtkMultiBlockDataSet> scene;
   scene->SetBlock(0, ToPolyData(models::Sheet(2)));
+  scene->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "sheet");
   vtkNew<vtkUnstructuredGrid> grid;
   scene->SetBlock(1, grid);
   scene->SetBlock(2, TwoBoxes());
@@ -102,7 +103,7 @@ TEST(Composite, GoesOnAfterABadLeaf)
   Messages messages(carver);
   Carve(carver, scene);
   ASSERT_EQ(messages.Errors.size(), 2u);
-  EXPECT_TRUE(Has(messages.Errors[0], "plane"));
+  EXPECT_TRUE(Has(messages.Errors[0], "Block \"sheet\": All points lie in one plane"));
   EXPECT_TRUE(Has(messages.Errors[1], "Extract Surface"));
   EXPECT_GT(
     vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);

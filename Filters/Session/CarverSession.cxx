@@ -137,7 +137,7 @@ void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int ind
   {
     stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
     profile = vtkSmartPointer<vtkTable>::New();
-    const std::string where = child.Name.empty() ? "" : "Block \"" + child.Name + "\": ";
+    const std::string where = child.Name.empty() ? "" : "Block " + child.Name + ": ";
     this->UpdateLeaf(leaf, where, { levels, stream, profile });
   }
   else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))

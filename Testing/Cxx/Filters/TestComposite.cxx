@@ -103,7 +103,7 @@ TEST(Composite, GoesOnAfterABadLeaf)
   Messages messages(carver);
   Carve(carver, scene);
   ASSERT_EQ(messages.Errors.size(), 2u);
-  EXPECT_TRUE(Has(messages.Errors[0], "Block \"sheet\": All points lie in one plane"));
+  EXPECT_TRUE(Has(messages.Errors[0], "Block sheet: All points lie in one plane"));
   EXPECT_TRUE(Has(messages.Errors[1], "Extract Surface"));
   EXPECT_GT(
     vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);

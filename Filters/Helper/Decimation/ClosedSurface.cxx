@@ -3,7 +3,7 @@
 
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
-#include "Core/Mesh/FacetTree.h"
+#include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/WindingTree.h"
 #include "Helper/Base/Kernels.h"
@@ -173,21 +173,21 @@ bool IsInsideOut(const ResolvedMesh& surface)
   return volume < 0;
 }
 
-double LongestEdge(const std::array<Point, 3>& corners)
+double LengthOfLongestSide(const std::array<Point, 3>& corners)
 {
-  const auto& [a, b, c] = corners;
-  return std::max({ Length(b - a), Length(c - b), Length(a - c) });
+  const int side = LongestSide<3>(corners);
+  return Length(corners[(side + 1) % 3] - corners[side]);
 }
 
 } // namespace
 
 Point PointInFront(const std::array<Point, 3>& corners)
 {
-  constexpr double share = 1e-9; // of the longest edge: hardly anything is as close
+  constexpr double share = 1e-9; // of the longest side: hardly anything is as close
   const auto& [a, b, c] = corners;
   const Point normal = Cross(b - a, c - a);
   const Point center = a / 3.0 + b / 3.0 + c / 3.0;
-  return center + share * LongestEdge(corners) / Length(normal) * normal;
+  return center + share * LengthOfLongestSide(corners) / Length(normal) * normal;
 }
 
 std::string MakeClosedSurface(ResolvedMesh& surface)
@@ -228,14 +228,12 @@ void TurnPartsOutward(ResolvedMesh& surface)
     parts.Unite(a, b);
     parts.Unite(b, c);
   }
-  const auto cornersOf = [&surface](const Triangle& t)
-  { return carving::CornersOf<3>(surface.Points, t); };
-  std::map<int, std::array<Point, 3>> longest; // per part: the corners of the triangle
+  std::map<int, std::array<Point, 3>> longest; // per part: the triangle's corners
   for (const Triangle& t : surface.Facets)
   {
-    const std::array<Point, 3> corners = cornersOf(t);
+    const std::array<Point, 3> corners = carving::CornersOf<3>(surface.Points, t);
     std::array<Point, 3>& known = longest.try_emplace(parts.Find(t[0]), corners).first->second;
-    known = LongestEdge(corners) > LongestEdge(known) ? corners : known;
+    known = LengthOfLongestSide(corners) > LengthOfLongestSide(known) ? corners : known;
   }
   if (longest.size() == 1)
   {

@@ -16,9 +16,9 @@ namespace carving::helper
 
 /**
  * Gives each fan of triangles a vertex of its own, so that vertices of several fans become copies,
- * and orients the surface outward as a whole. Returns an error for the user if the triangles do not form a
- * closed, consistently oriented surface, or cross each other. The error says in how many places,
- * and where the first one is.
+ * and orients the surface outward as a whole. Returns an error for the user if the triangles do not
+ * form a closed, consistently oriented surface, or cross each other. The error says in how many
+ * places, and where the first one is.
  */
 std::string MakeClosedSurface(ResolvedMesh& surface);
 

@@ -129,6 +129,20 @@ bool HasReached(const DecimatedSurface& surface, const SimplifiedTarget& target)
                                                 : surface.Reached != 0;
 }
 
+bool HasStuck(const LevelTrial& trial, const SimplifiedTarget& target)
+{
+  const std::vector<DecimatedSurface>& surfaces = trial.Result.Surfaces;
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const auto& [value, bound] = trial.Targets[i];
+    if (!surfaces[i].Reached && std::isinf(bound) && value >= target.Value)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const SimplifiedTarget& target)
 {

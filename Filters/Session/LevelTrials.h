@@ -79,6 +79,9 @@ int CountVertices(const LevelTrial& trial, const carving::DecimatedSurface& surf
 /** Whether a surface serves a target. One for another error bound may be within this one, too. */
 bool HasReached(const carving::DecimatedSurface& surface, const carving::SimplifiedTarget& target);
 
+/** Whether a trial without bounds has stuck above a number. */
+bool HasStuck(const LevelTrial& trial, const carving::SimplifiedTarget& target);
+
 /**
  * The trials that have a surface for a target, from good to bad, each with its surface for this
  * number, or for a smaller one if that is clearly closer to M, or for any error bound. Those that

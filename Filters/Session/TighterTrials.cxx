@@ -49,7 +49,7 @@ struct Search
 bool MayTry(const carving::Profile& profile, const std::vector<LevelTrial>& trials,
   const Search& search, int step)
 {
-  constexpr double most = 32.0; // per vertex that is left; larger steps have not been better
+  constexpr double most = 32.0; // per vertex that is left; larger steps seldom win
   const int vertices = profile.Vertices[step];
   return vertices <= DecimationOptions::ManyVertices &&
     (step == search.Step || vertices <= most * CountVertices(*search.Target)) &&

@@ -19,25 +19,6 @@ bool HaveSameTopology(const Profile& profile, int a, int b)
     profile.Tunnels[a] == profile.Tunnels[b] && profile.Voids[a] == profile.Voids[b];
 }
 
-} // namespace
-
-bool HasStuck(const LevelTrial& trial, const SimplifiedTarget& target)
-{
-  const std::vector<carving::DecimatedSurface>& surfaces = trial.Result.Surfaces;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-  {
-    const auto& [value, bound] = trial.Targets[i];
-    if (!surfaces[i].Reached && std::isinf(bound) && value >= target.Value)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-namespace
-{
-
 /**
  * Whether a step has been found to keep more vertices than a target asks for, as where parts touch
  * or sheets end. Coarser steps of the same topology may keep fewer.

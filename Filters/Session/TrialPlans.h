@@ -53,9 +53,6 @@ NeighborSteps FindNeighborSteps(
 /** The step halfway between two others, by their numbers of vertices, if there is one. */
 std::optional<int> FindStepBetween(const carving::Profile& profile, int coarser, int finer);
 
-/** Whether a trial without bounds has stuck above a number. */
-bool HasStuck(const LevelTrial& trial, const carving::SimplifiedTarget& target);
-
 /**
  * Steps halfway between the best trial for each target and the next ones that have been tried
  * before and after, where the topology differs, if they have at most so many vertices. They are

@@ -4,6 +4,7 @@
 #include "Convert/ArrayNames.h"
 #include "Convert/ArrayTools.h"
 #include "Convert/CellArrays.h"
+#include "Convert/PointOutput.h"
 #include "Core/Mesh/LargePages.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
@@ -150,28 +151,7 @@ void FillFaces(const std::vector<std::array<int, D>>& corners, const std::vector
   CopyTuples(grid->GetCellData(), cellIds, output->GetCellData());
 }
 
-/** Fills the points of M as given. */
-void FillInputPoints(
-  const carving::ResolvedMesh& mesh, vtkPointData* inputData, vtkPolyData* output)
-{
-  const vtkIdType count = static_cast<vtkIdType>(mesh.Points.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkIdList> ids;
-  auto originals = MakeArray<vtkIdTypeArray>(StreamArrays::OriginalPoints, count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    points->SetPoint(i, mesh.Points[i].data());
-    ids->InsertNextId(mesh.PointSources[i]);
-    originals->SetValue(i, mesh.PointSources[i]);
-  }
-  output->SetPoints(points);
-  CopyTuples(inputData, ids, output->GetPointData());
-  output->GetPointData()->AddArray(originals);
-}
-
-/** Fills the triangles of M as given. */
+/** Fills the triangles of M as given, or their pieces where M crosses itself. */
 void FillInputFaces(const carving::ResolvedMesh& mesh, const std::vector<vtkIdType>& cellIds,
   vtkCellData* inputData, vtkPolyData* output)
 {
@@ -263,12 +243,13 @@ void FillInputLevel(const carving::Tetrahedralization& result, const carving::Pr
   vtkPolyData* output)
 {
   const carving::ResolvedMesh& mesh = result.Unresolved;
-  FillInputPoints(mesh, input->GetPointData(), output);
+  FillPoints<3>(mesh, input, output);
   FillInputFaces(mesh, cellIds, input->GetCellData(), output);
   AddFieldArray<vtkDoubleArray>(output->GetCellData(), StreamArrays::MetShare, result.MetShares);
   vtkFieldData* fieldData = output->GetFieldData();
-  FillFieldData(profile, profile.LastStep(), "input", 0, static_cast<vtkIdType>(mesh.Facets.size()),
-    grid, fieldData);
+  const auto newVertices = std::count(mesh.PointSources.begin(), mesh.PointSources.end(), -1);
+  FillFieldData(profile, profile.LastStep(), "input", static_cast<int>(newVertices),
+    static_cast<vtkIdType>(mesh.Facets.size()), grid, fieldData);
   AddFieldValue<vtkIdTypeArray>(
     fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(mesh.Points.size()));
   if (!profile.Error.empty())

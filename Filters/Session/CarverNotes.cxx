@@ -64,7 +64,8 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
          << kept << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
          << " from it; 99 % of their surface is within " << reply.KeptDistance99 << ", the mean is "
          << reply.KeptDistanceMean << ". To keep them small, " << reply.PointsAdded
-         << " vertices were added to the mesh's own " << result.Unresolved.Points.size() << ".";
+         << " vertices were added to the " << result.Unresolved.Points.size() << " of the mesh"
+         << (reply.IntersectingPairs > 0 ? " and its crossings." : ".");
     notes.push_back(text.str());
   }
 }

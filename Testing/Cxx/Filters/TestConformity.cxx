@@ -6,6 +6,7 @@
 #include "RandomModels.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -29,6 +30,17 @@ vtkSmartPointer<vtkPolyData> Crossing()
   vtkSmartPointer<vtkPolyData> data = ToPolyData(mesh);
   AddFieldArray<vtkIntArray>(data->GetCellData(), "Color", std::vector<int>{ 7, 8, 9 });
   return data;
+}
+
+/** Adds point data that are linear in space. */
+void AddHeights(const carving::TriangleMesh& mesh, vtkPolyData* data)
+{
+  std::vector<double> heights;
+  for (const carving::Point& p : mesh.Points)
+  {
+    heights.push_back(p[2]);
+  }
+  AddFieldArray<vtkDoubleArray>(data->GetPointData(), "Height", heights);
 }
 
 } // namespace
@@ -191,6 +203,30 @@ TEST(Conformity, AppendsTheInputOnRequest)
     const double cell = level->GetCellData()->GetArray("vtkOriginalCellIds")->GetTuple1(i);
     EXPECT_EQ(level->GetCellData()->GetArray("Color")->GetTuple1(i), 7 + cell);
     EXPECT_TRUE(std::isnan(level->GetCellData()->GetArray("Priority")->GetTuple1(i)));
+  }
+}
+
+// The appended input has interpolated data at the points that were made where it crosses itself.
+TEST(Conformity, AppendsTheResolvedInputWithItsPointData)
+{
+  const carving::TriangleMesh torus = models::Torus(1.0, 0.4, 40, 24);
+  const carving::TriangleMesh mesh = models::Joined(torus, models::Moved(torus, { 1.2, 0.1, 0.2 }));
+  vtkSmartPointer<vtkPolyData> input = ToPolyData(mesh);
+  AddHeights(mesh, input);
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetConformity(vtkTopologyCarver::ENCLOSING);
+  carver->AppendInputOn();
+  Carve(carver, input);
+  vtkPolyData* level = LastLevel(carver);
+  ASSERT_EQ(GetFieldText(level, "Kind"), "input");
+  const vtkIdType made = level->GetNumberOfPoints() - input->GetNumberOfPoints();
+  ASSERT_GT(made, 0);
+  EXPECT_EQ(GetFieldValue(level, "NewVertices"), made);
+  vtkDataArray* heights = level->GetPointData()->GetArray("Height");
+  ASSERT_TRUE(heights);
+  for (vtkIdType i = 0; i < level->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(heights->GetTuple1(i), level->GetPoint(i)[2], 1e-12);
   }
 }
 

@@ -38,7 +38,7 @@ bool Attempts::TryInChild(const std::string& attempt, const std::string& subject
   {
     return false;
   }
-  this->HasFinished = ending.Mistake.empty() || ending.Mistake == "failed";
+  this->HasFinished = ending.Mistake.empty() || ending.Mistake == WorkFailed;
   this->ProcessorSeconds = ending.ProcessorSeconds;
   if (!ending.Mistake.empty())
   {

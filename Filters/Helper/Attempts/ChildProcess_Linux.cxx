@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Attempts/ChildProcess.h"
 
+#include "Helper/Attempts/ChildExit.h"
 #include "Helper/Attempts/Meanwhile.h"
 
 #include <algorithm>
@@ -22,9 +23,6 @@ namespace carving::helper
 {
 namespace
 {
-
-constexpr int Failed = 3;
-constexpr int OutOfMemory = 4;
 
 double ToSeconds(const timeval& time)
 {
@@ -73,11 +71,8 @@ Ending Describe(int status, const Limits& limits)
 {
   if (IsEndedBy(SIGALRM, status) || IsEndedBy(SIGPROF, status))
   {
-    const bool byClock = IsEndedBy(SIGALRM, status);
-    char text[64];
-    std::snprintf(text, sizeof(text), "took longer than %g s%s",
-      byClock ? limits.Seconds : limits.ProcessorSeconds, byClock ? "" : " of processor time");
-    return { text, true };
+    return IsEndedBy(SIGALRM, status) ? TookTooLong(limits.Seconds, "")
+                                      : TookTooLong(limits.ProcessorSeconds, " of processor time");
   }
   if (IsEndedBy(SIGKILL, status)) // by the system, when memory runs out
   {
@@ -87,15 +82,7 @@ Ending Describe(int status, const Limits& limits)
   {
     return { std::string("crashed (") + strsignal(WTERMSIG(status)) + ")" };
   }
-  switch (WEXITSTATUS(status))
-  {
-    case 0:
-      return {};
-    case OutOfMemory:
-      return { "ran out of memory", true };
-    default:
-      return { "failed" };
-  }
+  return DescribeExit(WEXITSTATUS(status));
 }
 
 /**
@@ -119,14 +106,14 @@ void RestoreSignals()
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
   {
-    _exit(Failed); // the parent died before its death could send the signal
+    _exit(ExitFailed); // the parent died before its death could send the signal
   }
   RestoreSignals();
   Limit(limits, processorSeconds);
-  int code = OutOfMemory;
+  int code = ExitOutOfMemory;
   try
   {
-    code = work() ? 0 : Failed;
+    code = work() ? 0 : ExitFailed;
   }
   catch (const std::bad_alloc&)
   {
@@ -183,7 +170,7 @@ Ending RunInChildProcess(
   const pid_t child = fork();
   if (child < 0)
   {
-    return { "could not be started: " + std::string(std::strerror(errno)), true };
+    return EndWithoutChild(meanwhile, std::strerror(errno));
   }
   if (child == 0)
   {

@@ -2,6 +2,7 @@
 #include "Helper/Attempts/ChildProcess.h"
 
 #include "Core/Protocol/SecondsSince.h"
+#include "Helper/Attempts/ChildExit.h"
 #include "Helper/Attempts/Meanwhile.h"
 #include "Helper/Attempts/ProgramRun.h"
 #include "vtksys/Process.h"
@@ -25,9 +26,7 @@ namespace carving::helper
 namespace
 {
 
-constexpr int Failed = 3;
-constexpr int OutOfMemory = 4;
-constexpr int TimeIsUp = 5;
+constexpr int ExitTimeIsUp = 5;
 constexpr const char* ChildOption = "--child"; ///< followed by stem, depth and processor seconds
 constexpr int NumberOfChildArguments = 4;
 constexpr double NoLimit = 1e8; ///< seconds, within the range of all systems' clocks
@@ -74,8 +73,8 @@ double UsedProcessorSeconds()
 }
 
 /**
- * Starts a thread that ends this child process when its processor time is used up. If it has a child
- * itself then, that ends by its own limit first.
+ * Starts a thread that ends this child process when its processor time is used up. If it has a
+ * child itself then, that ends by its own limit first.
  */
 void WatchProcessorTime()
 {
@@ -87,7 +86,7 @@ void WatchProcessorTime()
         const double rest = ThisRun.ProcessorSeconds - UsedProcessorSeconds();
         if (rest <= 0.0 && !ThisRun.HasChild)
         {
-          EndChild(TimeIsUp);
+          EndChild(ExitTimeIsUp);
         }
         std::this_thread::sleep_for(std::chrono::duration<double>(std::max(rest, 1e-2)));
       }
@@ -101,11 +100,11 @@ void WatchProcessorTime()
   {
     WatchProcessorTime();
   }
-  int code = OutOfMemory;
+  int code = ExitOutOfMemory;
   try
   {
     std::ifstream in(HandedTo(ThisRun.Depth), std::ios::binary);
-    code = resume(in) ? 0 : Failed;
+    code = resume(in) ? 0 : ExitFailed;
   }
   catch (const std::bad_alloc&)
   {
@@ -123,26 +122,10 @@ std::vector<std::string> ChildCommand(double processorSeconds)
   return command;
 }
 
-Ending TookTooLong(double seconds, const char* ofWhat)
+bool HasUsedUpItsTime(vtksysProcess* process)
 {
-  char text[64];
-  std::snprintf(text, sizeof(text), "took longer than %g s%s", seconds, ofWhat);
-  return { text, true };
-}
-
-Ending DescribeExit(int code, const Limits& limits)
-{
-  switch (code)
-  {
-    case 0:
-      return {};
-    case OutOfMemory:
-      return { "ran out of memory", true };
-    case TimeIsUp:
-      return TookTooLong(limits.ProcessorSeconds, " of processor time");
-    default:
-      return { "failed" };
-  }
+  return vtksysProcess_GetState(process) == vtksysProcess_State_Exited &&
+    vtksysProcess_GetExitValue(process) == ExitTimeIsUp;
 }
 
 Ending Describe(vtksysProcess* process, const Limits& limits)
@@ -150,7 +133,8 @@ Ending Describe(vtksysProcess* process, const Limits& limits)
   switch (vtksysProcess_GetState(process))
   {
     case vtksysProcess_State_Exited:
-      return DescribeExit(vtksysProcess_GetExitValue(process), limits);
+      return HasUsedUpItsTime(process) ? TookTooLong(limits.ProcessorSeconds, " of processor time")
+                                       : DescribeExit(vtksysProcess_GetExitValue(process));
     case vtksysProcess_State_Expired:
       return TookTooLong(limits.Seconds, "");
     case vtksysProcess_State_Exception:
@@ -187,8 +171,8 @@ bool HandOver(const Work& work, const std::string& fileName)
 }
 
 /**
- * Takes the processor time of a child process, which ended after so many seconds, for used, and ends
- * this process if none remains. Returns the child's time.
+ * Takes the processor time of a child process, which ended after so many seconds, for used, and
+ * ends this process if none remains. Returns the child's time.
  */
 double ChargeProcessorTime(const std::string& fileName, double elapsed, bool usedUp)
 {
@@ -199,15 +183,9 @@ double ChargeProcessorTime(const std::string& fileName, double elapsed, bool use
   ThisRun.UsedByChildren = ThisRun.UsedByChildren + seconds;
   if (usedUp || UsedProcessorSeconds() >= ThisRun.ProcessorSeconds)
   {
-    EndChild(TimeIsUp); // as this process's own thread would
+    EndChild(ExitTimeIsUp); // as this process's own thread would
   }
   return seconds;
-}
-
-bool HasUsedUpItsTime(vtksysProcess* process)
-{
-  return vtksysProcess_GetState(process) == vtksysProcess_State_Exited &&
-    vtksysProcess_GetExitValue(process) == TimeIsUp;
 }
 
 } // namespace
@@ -221,7 +199,7 @@ Ending RunInChildProcess(
   if (!HandOver(work, handed))
   {
     std::remove(handed.c_str());
-    return { "could not be started: its input could not be written", true };
+    return EndWithoutChild(meanwhile, "its input could not be written");
   }
   const double remaining = ThisRun.ProcessorSeconds - UsedProcessorSeconds();
   const double own = limits.ProcessorSeconds > 0.0 ? limits.ProcessorSeconds : NoLimit;

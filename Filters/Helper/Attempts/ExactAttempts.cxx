@@ -3,7 +3,6 @@
 
 #include "Core/Mesh/Box.h"
 #include "Core/Protocol/SecondsSince.h"
-#include "Helper/Attempts/Patience.h"
 #include "Helper/Exact/InitialSurface.h"
 #include "Helper/Exact/Tetrahedralize.h"
 #include "Helper/Recovery/NearDelaunay.h"
@@ -44,12 +43,14 @@ double MaximumPairs(const Job& job, std::size_t numberOfFacets)
 /** Resolves M and C0 together, so that they meet in common vertices and edges only. */
 std::string AddInitial(const Job& job, ResolvedMesh& surface)
 {
-  const std::string mistake = CheckInitialSurface(job.InitialMesh);
+  // A triangle that is given twice must not be marked twice.
+  const ResolvedMesh initial = Clean(AsResolved(job.InitialMesh));
+  const std::string mistake = CheckInitialSurface(initial);
   if (!mistake.empty())
   {
     return mistake;
   }
-  AddInitialSurface(job.InitialMesh, surface);
+  AddInitialSurface(initial, surface);
   surface = Clean(surface);
   int pairs = 0; // between M and C0: the reply counts only those within M
   return Resolve(surface, pairs, {});

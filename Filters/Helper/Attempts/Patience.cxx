@@ -39,7 +39,8 @@ Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets)
   limits.Mebibytes = job.MemoryLimit;
   if (job.Conformity == Conformity::Auto)
   {
-    limits.ProcessorSeconds = 10.0 + 1e-4 * static_cast<double>(numberOfFacets);
+    limits.ProcessorSeconds =
+      std::max(10.0 + 1e-4 * static_cast<double>(numberOfFacets), job.TimeLimit);
   }
   return limits;
 }

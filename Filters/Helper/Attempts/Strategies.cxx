@@ -8,7 +8,6 @@
 #include "Helper/Exact/Tetrahedralize.h"
 #include "Helper/Recovery/Enclose.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <sstream>

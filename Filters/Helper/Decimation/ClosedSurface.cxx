@@ -7,6 +7,7 @@
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/WindingTree.h"
 #include "Helper/Base/Kernels.h"
+#include "Helper/Base/PointInFront.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <CGAL/determinant.h>
@@ -181,13 +182,10 @@ double LengthOfLongestSide(const std::array<Point, 3>& corners)
 
 } // namespace
 
-Point PointInFront(const std::array<Point, 3>& corners)
+Point PointCloseInFront(const std::array<Point, 3>& corners)
 {
   constexpr double share = 1e-9; // of the longest side: hardly anything is as close
-  const auto& [a, b, c] = corners;
-  const Point normal = Cross(b - a, c - a);
-  const Point center = a / 3.0 + b / 3.0 + c / 3.0;
-  return center + share * LengthOfLongestSide(corners) / Length(normal) * normal;
+  return PointInFront(corners, share * LengthOfLongestSide(corners));
 }
 
 std::string MakeClosedSurface(ResolvedMesh& surface)
@@ -244,7 +242,7 @@ void TurnPartsOutward(ResolvedMesh& surface)
   for (const auto& [part, corners] : longest)
   {
     constexpr double half = 0.5;
-    if (windings.Measure(PointInFront(corners), { half }) < -half)
+    if (windings.Measure(PointCloseInFront(corners), { half }) < -half)
     {
       insideOut.insert(part);
     }

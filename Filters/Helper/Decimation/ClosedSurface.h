@@ -28,8 +28,8 @@ std::string MakeClosedSurface(ResolvedMesh& surface);
  */
 void TurnPartsOutward(ResolvedMesh& surface);
 
-/** A point close to the center of a triangle with an area. */
-Point PointInFront(const std::array<Point, 3>& corners);
+/** A point in front of the center of a triangle with an area, and close to it. */
+Point PointCloseInFront(const std::array<Point, 3>& corners);
 
 } // namespace carving::helper
 

@@ -21,7 +21,7 @@ using FaceWithCorners = std::pair<std::array<Point, 3>, Face>;
 bool IsExteriorInFront(const WindingTree& windings, const std::array<Point, 3>& corners)
 {
   constexpr double half = 0.5;
-  return std::abs(windings.Measure(PointInFront(corners), { half })) < half;
+  return std::abs(windings.Measure(PointCloseInFront(corners), { half })) < half;
 }
 
 } // namespace

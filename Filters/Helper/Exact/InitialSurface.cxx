@@ -3,7 +3,6 @@
 
 #include "Helper/Base/Cleaning.h"
 #include "Helper/Base/GivenInitial.h"
-#include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
@@ -89,9 +88,8 @@ std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector
 
 } // namespace
 
-std::string CheckInitialSurface(const TriangleMesh& initial)
+std::string CheckInitialSurface(const ResolvedMesh& mesh)
 {
-  const ResolvedMesh mesh = Clean(AsResolved(initial));
   if (mesh.Facets.empty())
   {
     return std::string(InitialPrefix) + "has no triangle with an area.";
@@ -129,12 +127,12 @@ std::string CheckInitialSurface(const TriangleMesh& initial)
   return problems.tellp() > 0 ? InitialPrefix + problems.str() + "." : std::string();
 }
 
-void AddInitialSurface(const TriangleMesh& initial, ResolvedMesh& surface)
+void AddInitialSurface(const ResolvedMesh& initial, ResolvedMesh& surface)
 {
   const int firstPoint = static_cast<int>(surface.Points.size());
   surface.Points.insert(surface.Points.end(), initial.Points.begin(), initial.Points.end());
   surface.PointSources.resize(surface.Points.size(), -1);
-  for (const Triangle& t : initial.Triangles)
+  for (const Triangle& t : initial.Facets)
   {
     surface.Facets.push_back({ t[0] + firstPoint, t[1] + firstPoint, t[2] + firstPoint });
   }

@@ -14,16 +14,16 @@ namespace carving::helper
 {
 
 /**
- * Checks that a mesh can be C0: closed, of one component, of genus zero and free of
+ * Checks that a clean mesh can be C0: closed, of one component, of genus zero and free of
  * self-intersections. Returns an empty string, or a message that names every check that fails.
  */
-std::string CheckInitialSurface(const TriangleMesh& initial);
+std::string CheckInitialSurface(const ResolvedMesh& mesh);
 
 /**
- * Adds the triangles of C0, with points of their own, to those of M. They are marked in
+ * Adds the triangles of a clean C0, with points of their own, to those of M. They are marked in
  * `Multiplicities` and are 0 in `SignedMultiplicities`.
  */
-void AddInitialSurface(const TriangleMesh& initial, ResolvedMesh& surface);
+void AddInitialSurface(const ResolvedMesh& initial, ResolvedMesh& surface);
 
 /**
  * Removes the tetrahedra outside C0 and the triangles that belong to C0 alone. Returns an empty

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/Interior.h"
 
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/Winding.h"
 #include "Core/Solid/WindingTree.h"
+#include "Helper/Base/PointInFront.h"
 #include "Helper/Resolve/Clean.h"
 
 #include <algorithm>
@@ -78,14 +80,10 @@ double Width(const ResolvedMesh& mesh, int facet)
 }
 
 /** A point just in front of a facet. */
-Point PointInFront(const ResolvedMesh& mesh, int facet)
+Point PointJustInFront(const ResolvedMesh& mesh, int facet)
 {
-  constexpr double Near = 1e-5;
-  const auto& [a, b, c] = mesh.Facets[facet];
-  const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
-  const Point normal = Cross(q - p, r - p);
-  const double step = Near * Width(mesh, facet) / Length(normal);
-  return (p + q + r) / 3.0 + step * normal;
+  constexpr double share = 1e-5; // of the width
+  return PointInFront(CornersOf<3>(mesh.Points, mesh.Facets[facet]), share * Width(mesh, facet));
 }
 
 /** The facets that are connected to `seed` by neighbors, `seed` first. */
@@ -130,7 +128,7 @@ bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
     const std::vector<int> patch = Patch(seed, neighbors, reached);
     const int widest = *std::max_element(
       patch.begin(), patch.end(), [&](int a, int b) { return Width(mesh, a) < Width(mesh, b); });
-    const double winding = tree.Measure(PointInFront(mesh, widest), { Ambiguous });
+    const double winding = tree.Measure(PointJustInFront(mesh, widest), { Ambiguous });
     const int front = static_cast<int>(std::round(winding));
     if (!(std::abs(winding - front) <= Ambiguous))
     {

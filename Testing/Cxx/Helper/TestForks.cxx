@@ -12,6 +12,9 @@
 #include <thread>
 #include <vector>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 using namespace carving;
 using namespace carving::helper;
 
@@ -36,6 +39,18 @@ const ChildWork IgnoreSignals("ignore signals",
     std::signal(SIGPROF, SIG_IGN);
     return EndOf(ByClock(0.2), Hang) == "took longer than 0.2 s" &&
       EndOf(ByProcessor(0.2), ComputeForever) == "took longer than 0.2 s of processor time";
+  });
+const ChildWork StartNoChild("start no child",
+  []
+  {
+    const rlimit none = {};
+    setrlimit(RLIMIT_NPROC, &none);
+    constexpr uid_t anyOther = 65534; // the limit does not hold for root
+    bool isCalled = false;
+    const auto meanwhile = [&] { return isCalled = true; };
+    return (getuid() != 0 || setuid(anyOther) == 0) &&
+      RunInChildProcess({}, Hang.Get(), meanwhile).Mistake.find("could not be started: ") == 0 &&
+      isCalled;
   });
 
 } // namespace
@@ -79,6 +94,12 @@ TEST_F(ChildProcess, TakesAKillForALimit)
   const Ending ending = RunInChildProcess({}, BeKilled.Get());
   EXPECT_EQ(ending.Mistake, "was killed");
   EXPECT_TRUE(ending.ByLimit);
+}
+
+// Where no child can be started, the work beside it is done all the same.
+TEST_F(ChildProcess, DoesTheWorkBesideWithoutAChild)
+{
+  EXPECT_EQ(EndOf({}, StartNoChild), "");
 }
 
 // With a free processor, a mesh is enclosed while exact attempts take long.

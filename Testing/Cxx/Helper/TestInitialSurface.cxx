@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 #include "Helper/Exact/InitialSurface.h"
+#include "Helper/Resolve/Clean.h"
 #include "HelperRun.h"
 #include "Shapes.h"
 
@@ -45,13 +46,13 @@ TEST(InitialSurface, NamesEachCheckThatFails)
     { crossing, "intersects itself" }, { {}, "has no triangle" } };
   for (const auto& [mesh, expected] : cases)
   {
-    const std::string error = CheckInitialSurface(mesh);
+    const std::string error = CheckInitialSurface(Clean(AsResolved(mesh)));
     for (const auto& [ignored, problem] : cases)
     {
       EXPECT_EQ(error.find(problem) != std::string::npos, problem == expected) << error;
     }
   }
-  EXPECT_EQ(CheckInitialSurface(BigBox()), "");
+  EXPECT_EQ(CheckInitialSurface(Clean(AsResolved(BigBox()))), "");
 }
 
 // The tetrahedra fill the given C0, and only triangles of M constrain them.
@@ -60,6 +61,15 @@ TEST(InitialSurface, IsFilled)
   const Reply reply = GetReply(MakeJob(models::Sphere(1), BigBox()));
   EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 216.0, 1e-9);
   EXPECT_EQ(reply.Result.Surface.Facets.size(), models::Sphere(1).Triangles.size());
+}
+
+// A triangle of C0 that is given twice counts once.
+TEST(InitialSurface, MayRepeatTriangles)
+{
+  TriangleMesh initial = BigBox();
+  initial.Triangles.push_back(initial.Triangles.front());
+  const Reply reply = GetReply(MakeJob(models::Sphere(1), initial));
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 216.0, 1e-9);
 }
 
 // A nonconvex C0 is filled, but not the space between it and its hull.

@@ -63,6 +63,11 @@ void FillSurface(const carving::Decimation& decimation, const carving::Decimated
   AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, result.Error);
 }
 
+bool IsTarget(double target)
+{
+  return std::isfinite(target) && target >= 0.0;
+}
+
 } // namespace
 
 vtkEnclosingDecimation::vtkEnclosingDecimation()
@@ -74,9 +79,9 @@ vtkEnclosingDecimation::~vtkEnclosingDecimation() = default;
 
 void vtkEnclosingDecimation::AddTarget(double target)
 {
-  if (!std::isfinite(target) || target < 0.0)
+  if (!IsTarget(target))
   {
-    vtkErrorMacro(<< "A target cannot be " << target << ": none is added.");
+    vtkErrorMacro(<< "A target cannot be " << target << ": the targets stay as they are.");
     return;
   }
   this->AllTargets.push_back(target);
@@ -91,11 +96,15 @@ void vtkEnclosingDecimation::ClearTargets()
 
 void vtkEnclosingDecimation::SetTarget(double target)
 {
-  if (this->AllTargets != std::vector<double>{ target })
+  if (this->AllTargets == std::vector<double>{ target })
   {
-    this->ClearTargets();
-    this->AddTarget(target);
+    return;
   }
+  if (IsTarget(target))
+  {
+    this->AllTargets.clear();
+  }
+  this->AddTarget(target);
 }
 
 int vtkEnclosingDecimation::GetNumberOfTargets()

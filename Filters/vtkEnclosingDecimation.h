@@ -5,12 +5,12 @@
  *
  * The input is a closed, consistently oriented surface that does not cross itself. Parts of it that
  * are inside out are turned. Each output has fewer vertices, encloses the input (no point of the
- * input lies outside), does not cross itself, and has the same components and tunnels. Edges collapse in the order of a quadric error. Each new
- * vertex lies on the outer side of all faces around its edge ("progressive hull", Sander et al.,
- * "Silhouette clipping", 2000), and then slides inward until its faces touch the input. Unless
- * surfaces have to be nested, an edge without an outer side collapses into an end that leaves the
- * input enclosed. This filter is not part of the paper on carving. The work is done by the helper
- * program.
+ * input lies outside), does not cross itself, and has the same components and tunnels. Edges
+ * collapse in the order of a quadric error. Each new vertex lies on the outer side of all faces
+ * around its edge ("progressive hull", Sander et al., "Silhouette clipping", 2000), and then slides
+ * inward until its faces touch the input. Unless surfaces have to be nested, an edge without an
+ * outer side collapses into an end that leaves the input enclosed. This filter is not part of the
+ * paper on carving. The work is done by the helper program.
  *
  * For a number of vertices or triangles, an input of up to 30,000 points is decimated twice. The
  * second time, no collapse may make a face that is farther from the input than a bound. The bound

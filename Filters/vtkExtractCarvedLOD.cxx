@@ -118,9 +118,30 @@ int vtkExtractCarvedLOD::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
+void vtkExtractCarvedLOD::SetLevelTarget(double target)
+{
+  if (std::isnan(target))
+  {
+    vtkErrorMacro(<< "LevelTarget cannot be " << target << ": it stays " << this->LevelTarget
+                  << ".");
+    return;
+  }
+  const double clamped = std::clamp(target, 0.0, VTK_DOUBLE_MAX);
+  if (clamped != this->LevelTarget)
+  {
+    this->LevelTarget = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkExtractCarvedLOD::GetLevelTargetRange(int type, double range[2])
 {
   range[0] = range[1] = 0.0;
+  if (type < VERTICES || type > STEP)
+  {
+    return false;
+  }
   const std::vector<TargetRange> ranges =
     PreparedStreams::GetTargetRanges(GetInputOf(this), static_cast<carving::LevelTarget>(type));
   if (ranges.empty())

@@ -75,9 +75,9 @@ public:
   /**
    * The target that picks the level: a number of vertices, triangles, tunnels or components, a
    * length, or a step. At least 0, default 1000. A target that no level meets gives the nearest
-   * level and a warning.
+   * level and a warning; NaN is refused.
    */
-  vtkSetClampMacro(LevelTarget, double, 0.0, VTK_DOUBLE_MAX);
+  void SetLevelTarget(double target);
   vtkGetMacro(LevelTarget, double);
   ///@}
 
@@ -129,7 +129,7 @@ public:
   /**
    * The least and the greatest target of a type that pick different levels of the input as it is
    * now, over all its streams, in parallel on all processes. Returns false, with the range 0 to 0,
-   * if there is no stream.
+   * if there is no stream or no such type.
    */
   bool GetLevelTargetRange(int type, double range[2]);
 

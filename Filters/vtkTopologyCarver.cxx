@@ -23,9 +23,9 @@ vtkTopologyCarver::~vtkTopologyCarver() = default;
 int vtkTopologyCarver::CountIntersectingPairs(vtkPolyData* mesh)
 {
   CarverInput input;
-  std::string error = input.Gather(mesh);
+  std::string error = mesh ? input.Gather(mesh) : "There is no mesh to count in.";
   carving::Reply reply;
-  if (error.empty())
+  if (error.empty() && !input.IsEmpty())
   {
     carving::Job job;
     job.Kind = carving::JobKind::CountIntersections;

@@ -58,11 +58,12 @@
  *   own surface; `Error`, the largest distance of the level from M, NaN if it has not been asked
  *   for (see ComputeError). The five numbers on topology are -1 for "input".
  *
- * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, order 1" and so on; "TetGen -pcY,
- * without interior" if triangles inside the solid were left out, which the stream then lacks;
- * "Delaunay, recovery" if TetGen failed or was not needed and vertices may have been added off the
- * triangles; "TetGen -pc" if vertices were added on the triangles; "TetGen -pcY, snapped" if points
- * were moved, and "TetGen -pc, snapped" if both; and "Delaunay, enclosing".
+ * The values of `Strategy` are "TetGen -pcY"; "TetGen -pcY, without interior" if triangles inside
+ * the solid were left out, which the stream then lacks; "Delaunay, recovery" if TetGen failed or
+ * was not needed and vertices may have been added off the triangles; "TetGen -pc" if vertices were
+ * added on the triangles; "TetGen -pcY, snapped" if points were moved, and "TetGen -pc, snapped" if
+ * both; and "Delaunay, enclosing". If TetGen succeeded with another order of the triangles,
+ * ", order 1" or ", order 2" follows.
  *
  * **Topology.** K_i is the union of M, the solid and all tetrahedra that are not carved before or
  * at step i. It is a closed set. `Components` is the number of connected components of K_i, where a
@@ -159,7 +160,8 @@ public:
   /**
    * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are
    * equal have been merged. The helper program does the work. Returns -1 after an error, which is
-   * reported. The properties, inputs and outputs of the filter play no part.
+   * reported, such as that no triangle has an area. The properties, inputs and outputs of the
+   * filter play no part.
    */
   int CountIntersectingPairs(vtkPolyData* mesh);
 

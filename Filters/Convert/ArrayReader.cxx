@@ -90,7 +90,7 @@ void ArrayReader::CheckText(vtkFieldData* from, const char* name)
   }
   else if (text->GetNumberOfValues() != 1)
   {
-    this->Refuse(name, WrongLength(text->GetNumberOfTuples(), 1));
+    this->Refuse(name, WrongLength(text->GetNumberOfValues(), 1));
   }
 }
 

@@ -34,34 +34,43 @@ std::string CarverInput::Gather(vtkPolyData* input)
   {
     input->GetPoint(i, this->Mesh.Points[i].data());
   }
-  this->AddPolygons(input);
-  this->AddStrips(input);
-  return this->IsEmpty() ? carving::NothingToCarve : "";
+  const vtkIdType visible = this->AddPolygons(input) + this->AddStrips(input);
+  return this->IsEmpty() && visible > 0 ? carving::NothingToCarve : "";
 }
 
-void CarverInput::AddPolygons(vtkPolyData* input)
+/** Returns the number of visible polygons. */
+vtkIdType CarverInput::AddPolygons(vtkPolyData* input)
 {
+  vtkIdType visible = 0;
   PolygonCutter cutter(input->GetPoints());
   VisitCells(input, { input->GetPolys() },
     [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
-    { this->AddTriangles(cell, cutter.Cut(size, corners)); });
+    {
+      ++visible;
+      this->AddTriangles(cell, cutter.Cut(size, corners));
+    });
   if (cutter.GetNumberOfFans() > 0)
   {
     this->Notes.push_back(std::to_string(cutter.GetNumberOfFans()) +
       " polygons cross themselves or have no area: they were cut into fans of triangles.");
   }
+  return visible;
 }
 
-void CarverInput::AddStrips(vtkPolyData* input)
+/** Returns the number of visible strips. */
+vtkIdType CarverInput::AddStrips(vtkPolyData* input)
 {
+  vtkIdType visible = 0;
   vtkNew<vtkCellArray> triangles;
   VisitCells(input, { input->GetStrips() },
     [&](vtkIdType cell, vtkIdType size, const vtkIdType* corners)
     {
+      ++visible;
       triangles->Reset();
       vtkTriangleStrip::DecomposeStrip(static_cast<int>(size), corners, triangles);
       this->AddTriangles(cell, triangles);
     });
+  return visible;
 }
 
 void CarverInput::AddTriangles(vtkIdType cell, vtkCellArray* triangles)

@@ -25,7 +25,8 @@ struct CarverInput
 
   /**
    * Triangulates polygons and strips. Ignores vertices, lines, and ghost and hidden cells. Returns
-   * an empty string, or an error of CheckCells.
+   * an empty string, an error of CheckCells, or NothingToCarve if there are polygons, but no
+   * triangles.
    */
   std::string Gather(vtkPolyData* input);
   bool IsEmpty() const
@@ -34,8 +35,8 @@ struct CarverInput
   }
 
 private:
-  void AddPolygons(vtkPolyData* input);
-  void AddStrips(vtkPolyData* input);
+  vtkIdType AddPolygons(vtkPolyData* input);
+  vtkIdType AddStrips(vtkPolyData* input);
   void AddTriangles(vtkIdType cell, vtkCellArray* triangles);
 };
 

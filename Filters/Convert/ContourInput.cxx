@@ -3,6 +3,7 @@
 
 #include "Convert/InputCells.h"
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
 
 #include <algorithm>
@@ -26,8 +27,7 @@ std::vector<int> UsedPoints(const ContourSet& contours)
   {
     used.insert(used.end(), edge.begin(), edge.end());
   }
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  carving::SortUnique(used);
   return used;
 }
 

@@ -10,6 +10,8 @@
 #include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <cmath>
+
 namespace
 {
 
@@ -115,6 +117,14 @@ void MakeLevels(const std::vector<double>& numbers, const carving::Profile& prof
 {
   for (auto level = numbers.begin(); level != numbers.end(); level += LevelNumbers)
   {
+    for (const int whole : { 0, 1, 3 })
+    {
+      if (level[whole] != std::floor(level[whole]))
+      {
+        reader.Refuse(StreamArrays::SimplifiedLevels, "has a fraction in place of an index");
+        return;
+      }
+    }
     if (level[0] >= static_cast<double>(stream.Steps.size()) ||
       level[1] > stream.Steps[static_cast<std::size_t>(level[0])].Chain.Collapses ||
       level[3] > profile.LastStep())

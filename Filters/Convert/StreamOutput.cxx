@@ -20,7 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 #include <numeric>
 

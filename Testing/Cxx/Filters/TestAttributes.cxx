@@ -169,6 +169,19 @@ TEST(Attributes, SkipsGhostCells)
   EXPECT_EQ(GetLevel(carver, 0)->GetBounds()[1], 1.0);
 }
 
+// A mesh that has ghost cells alone is empty, and no error.
+TEST(Attributes, TakesGhostCellsAloneForNothing)
+{
+  auto input = TwoBoxes();
+  SetGhosts(input, [](vtkIdType) { return vtkDataSetAttributes::DUPLICATECELL; });
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(input);
+  Messages messages(carver);
+  carver->Update();
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_EQ(CountLevels(carver), 0);
+}
+
 // The field data of every level describe the level.
 TEST(Attributes, DescribesLevels)
 {

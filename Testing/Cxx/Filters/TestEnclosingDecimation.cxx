@@ -210,8 +210,8 @@ TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 642);
 }
 
-// An empty input gives empty outputs, and targets that are no numbers are refused.
-TEST(EnclosingDecimation, AcceptsEmptyInputAndRefusesBadTargets)
+// An empty input gives empty outputs.
+TEST(EnclosingDecimation, AcceptsEmptyInput)
 {
   vtkNew<vtkEnclosingDecimation> filter;
   Messages messages(filter);
@@ -219,8 +219,23 @@ TEST(EnclosingDecimation, AcceptsEmptyInputAndRefusesBadTargets)
   filter->SetInputData(empty);
   filter->Update();
   EXPECT_TRUE(messages.Errors.empty());
-  filter->AddTarget(std::numeric_limits<double>::quiet_NaN());
-  filter->AddTarget(-1.0);
-  EXPECT_EQ(messages.Errors.size(), 2u);
-  EXPECT_EQ(filter->GetNumberOfTargets(), 1);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(
+    vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfBlocks(), 0u);
+}
+
+// Targets that are negative or no numbers are refused, and leave the others as they are.
+TEST(EnclosingDecimation, RefusesBadTargets)
+{
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  std::size_t errors = 0;
+  for (const double target : { std::numeric_limits<double>::quiet_NaN(), -1.0 })
+  {
+    filter->AddTarget(target);
+    filter->SetTarget(target);
+    EXPECT_EQ(messages.Errors.size(), errors += 2);
+  }
+  ASSERT_EQ(filter->GetNumberOfTargets(), 1);
+  EXPECT_EQ(filter->GetTarget(0), 1000.0);
 }

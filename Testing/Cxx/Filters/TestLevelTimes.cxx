@@ -139,6 +139,17 @@ TEST_F(LevelTimes, MoveAllObjectsOfAComposite)
   }
 }
 
+// There is no range of a type that does not exist.
+TEST_F(LevelTimes, HaveNoRangeOfOtherTypes)
+{
+  this->Carver->Update();
+  for (const int type : { vtkExtractCarvedLOD::VERTICES - 1, vtkExtractCarvedLOD::STEP + 1 })
+  {
+    double range[2];
+    EXPECT_FALSE(this->Extract->GetLevelTargetRange(type, range));
+  }
+}
+
 // The range of targets is known once there is a stream, and covers all streams.
 TEST_F(LevelTimes, ComeWithTheRangeOfTheTargets)
 {

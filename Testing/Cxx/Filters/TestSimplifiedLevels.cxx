@@ -177,7 +177,7 @@ TEST(SimplifiedLevels, AreRefusedIfDamaged)
     { "SimplifiedSteps", 3, -1.0 }, { "SimplifiedPoints", 0, 1e6 }, { "SimplifiedPoints", 1, -1.0 },
     { "SimplifiedFaces", 0, 1e6 }, { "SimplifiedFaces", 3, 1e6 }, { "SimplifiedFaces", 4, 1e6 },
     { "SimplifiedFaces", 5, 0.0 }, { "SimplifiedFaces", 2, 0.5 }, { "SimplifiedLevels", 0, 5.0 },
-    { "SimplifiedLevels", 1, 1e6 }, { "SimplifiedLevels", 2, NaN },
+    { "SimplifiedLevels", 1, 0.5 }, { "SimplifiedLevels", 1, 1e6 }, { "SimplifiedLevels", 2, NaN },
     { "SimplifiedLevels", 3, 1e6 } };
   for (const auto& [name, at, value] : values)
   {

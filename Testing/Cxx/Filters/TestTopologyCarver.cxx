@@ -247,7 +247,8 @@ TEST(TopologyCarver, CountsIntersectingPairs)
   EXPECT_TRUE(messages.Errors.empty());
   const OtherHelper missing("/there/is/no/such/helper");
   EXPECT_EQ(carver->CountIntersectingPairs(TwoBoxes()), -1);
-  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_EQ(carver->CountIntersectingPairs(nullptr), -1);
+  EXPECT_EQ(messages.Errors.size(), 2u);
 }
 
 // PrintSelf lists the level targets; a test in Python checks all other properties.

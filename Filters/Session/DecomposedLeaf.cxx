@@ -42,7 +42,7 @@ typename DecomposedLeaves<D>::LeafPointer DecomposedLeaves<D>::Get(
   if (!leaf)
   {
     this->StartNext();
-    if (this->FindRun(input) == this->Runs.end()) // the same leaf again, after an error
+    if (this->FindRun(input) == this->Runs.end()) // after an error, or a leaf given twice
     {
       this->StartRun(input);
     }

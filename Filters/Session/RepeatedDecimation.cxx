@@ -79,6 +79,12 @@ HelperProcess::Outcome RepeatedDecimation::Run(
     return outcome;
   }
   outcome = this->RunOnce(second, begin, 1.0, observer, error);
+  if (outcome == HelperProcess::Outcome::Failure) // the first run has met all targets
+  {
+    this->Results.pop_back();
+    error.clear();
+    return HelperProcess::Outcome::Success;
+  }
   // Only the surfaces of one run are nested.
   const std::vector<DecimatedSurface>& surfaces = this->Results[1].Surfaces;
   if (job.Decimation.Nested &&

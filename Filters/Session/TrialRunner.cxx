@@ -79,7 +79,8 @@ TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStr
 }
 
 /** Starts to decimate the step of a trial, unless no target is in reach. */
-std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& trial) const
+std::optional<HelperProcess> TrialRunner::Start(
+  LevelTarget type, int threads, LevelTrial& trial) const
 {
   const carving::StoredStream<3>& stream = this->Stream;
   const carving::Level<3> level = carving::ExtractLevel(stream, trial.Step);
@@ -110,7 +111,7 @@ std::optional<HelperProcess> TrialRunner::Start(LevelTarget type, LevelTrial& tr
   }
   carving::Job job;
   job.Kind = carving::JobKind::Decimate;
-  job.Processes = this->Threads;
+  job.Processes = threads;
   job.Mesh = { this->Mesh.Points, this->Mesh.Facets };
   job.Parts = carving::ExtractParts(stream, level, this->Mesh.Points.size());
   job.Surface.Triangles = cut.Faces;
@@ -195,10 +196,13 @@ void TrialRunner::DropHopelessTargets(
 bool TrialRunner::RunTogether(
   LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last)
 {
+  const auto count =
+    std::count_if(first, last, [](const LevelTrial& trial) { return !trial.Targets.empty(); });
+  const int threads = std::max(1, this->Threads / std::max(1, static_cast<int>(count)));
   std::vector<std::optional<HelperProcess>> processes;
   for (LevelTrial* trial = first; trial != last; ++trial)
   {
-    processes.push_back(trial->Targets.empty() ? std::nullopt : this->Start(type, *trial));
+    processes.push_back(trial->Targets.empty() ? std::nullopt : this->Start(type, threads, *trial));
   }
   for (std::optional<HelperProcess>& process : processes)
   {

@@ -38,7 +38,8 @@ public:
 private:
   bool RunTogether(
     carving::LevelTarget type, double begin, double share, LevelTrial* first, LevelTrial* last);
-  std::optional<HelperProcess> Start(carving::LevelTarget type, LevelTrial& trial) const;
+  std::optional<HelperProcess> Start(
+    carving::LevelTarget type, int threads, LevelTrial& trial) const;
   bool Finish(HelperProcess& process, double begin, double end, LevelTrial& trial);
   void DropHopelessTargets(
     const std::vector<carving::SimplifiedTarget>& targets, LevelTrial& trial) const;

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/CollapseQueue.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace carving::helper
 {

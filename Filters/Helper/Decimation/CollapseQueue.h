@@ -8,7 +8,6 @@
 
 #include "Helper/Decimation/SurfaceMesh.h"
 
-#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <vector>

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/ErrorBound.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace carving::helper
 {

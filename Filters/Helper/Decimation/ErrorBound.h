@@ -9,7 +9,6 @@
 #include "Core/Mesh/FaceDistance.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
-#include <limits>
 #include <vector>
 
 namespace carving::helper

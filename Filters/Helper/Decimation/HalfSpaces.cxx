@@ -12,7 +12,10 @@ namespace
 /** Coefficients below this are those of a constraint that the remaining freedom cannot change. */
 constexpr double Parallel = 1e-12;
 
-/** p + t d with a . (p + t d) >= ... for constraints before `count`. */
+/**
+ * The least point of the quadric on the line p + t d within the half-spaces before `count`. Returns
+ * false if the line has no point within them.
+ */
 bool MinimizeOnLine(const Quadric& q, const std::vector<HalfSpace>& halfSpaces, std::size_t count,
   const Point& p, const Point& d, double tolerance, Point& least)
 {

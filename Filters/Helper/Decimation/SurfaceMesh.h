@@ -12,7 +12,6 @@
 
 #include <CGAL/Surface_mesh.h>
 
-#include <string>
 #include <vector>
 
 namespace carving::helper

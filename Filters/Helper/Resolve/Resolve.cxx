@@ -2,7 +2,6 @@
 #include "Helper/Resolve/Resolve.h"
 
 #include "Core/Mesh/DisjointSets.h"
-#include "Helper/Base/Kernels.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/CoplanarGroup.h"
 #include "Helper/Resolve/Imprint.h"

@@ -263,10 +263,10 @@ public:
    * - EXACT: TetGen is tried with two orders of the points and triangles. If M does not cross
    *   itself, its triangles are recovered in a Delaunay tetrahedralization in between, or before if
    *   that promises to be faster (see Strategy), with vertices off M where that is necessary. If M
-   *   is closed, TetGen is then tried without the
-   *   triangles that have solid on both sides, which no level shows. The next attempts add vertices
-   *   on the triangles, at most 10 for each of M's own, plus 100,000, and may cut the parts of a
-   *   triangle in another way. If all attempts fail, the result is an error. The last level is M.
+   *   is closed, TetGen is then tried without the triangles that have solid on both sides, which no
+   *   level shows. The next attempts add vertices on the triangles, at most 10 for each of M's own,
+   *   plus 100,000, and may cut the parts of a triangle in another way. If all attempts fail, the
+   *   result is an error. The last level is M.
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
    *   are never carved: levels enclose M and do not cross themselves. Triangles are recovered as
    *   faces as far as possible. Along the others, the tetrahedra are cut, with vertices on the
@@ -323,16 +323,16 @@ public:
   ///@{
   /**
    * The distance that points of the mesh may be moved if TetGen cannot tetrahedralize the mesh as
-   * given, as a share of the diagonal of the mesh's bounding box. First, points, edges and triangles
-   * that are closer to each other than a quarter of it are taken to touch, and are split where they
-   * do: given points keep their places, unless several become one. If TetGen fails on that mesh,
-   * too, all points are rounded to a grid, so that parts that nearly touch do touch or vanish, and
-   * the mesh is resolved again. In EXACT mode, snapping is the last attempt; in AUTO mode, it comes
-   * before the mesh is only enclosed. Snapping is without effect in ENCLOSING mode, on a CUSTOM
-   * initial approximation and on contours. M is then the snapped mesh: levels enclose the snapped mesh, and
-   * the last level is the snapped mesh. The array `SnapDistance` of the field data has the largest
-   * distance that a point has been moved. If a mesh has many details that are smaller than the
-   * tolerance, only a finer grid can be used, or none.
+   * given, as a share of the diagonal of the mesh's bounding box. First, points, edges and
+   * triangles that are closer to each other than a quarter of it are taken to touch, and are split
+   * where they do: given points keep their places, unless several become one. If TetGen fails on
+   * that mesh, too, all points are rounded to a grid, so that parts that nearly touch do touch or
+   * vanish, and the mesh is resolved again. In EXACT mode, snapping is the last attempt; in AUTO
+   * mode, it comes before the mesh is only enclosed. Snapping is without effect in ENCLOSING mode,
+   * on a CUSTOM initial approximation and on contours. M is then the snapped mesh: levels enclose
+   * the snapped mesh, and the last level is the snapped mesh. The array `SnapDistance` of the field
+   * data has the largest distance that a point has been moved. If a mesh has many details that are
+   * smaller than the tolerance, only a finer grid can be used, or none.
    *
    * Range 0 to 1. The default, 1e-12, removes roundings: points that should be in one plane or in
    * one place, and crossings closer than TetGen can tell apart. Points in single precision stay
@@ -351,8 +351,8 @@ public:
   /**
    * Whether a mesh that is only enclosed follows its own tightest level as the last level, with
    * `Kind` "input" in the field data. That level may cross itself and need not be a manifold. Its
-   * cell data `MetShare` says which triangles are met exactly.
-   * Without effect in exact mode, where the last level is the mesh, and on contours. Default off.
+   * cell data `MetShare` says which triangles are met exactly. Without effect in exact mode, where
+   * the last level is the mesh, and on contours. Default off.
    */
   vtkSetMacro(AppendInput, bool);
   vtkGetMacro(AppendInput, bool);
@@ -365,7 +365,9 @@ public:
    * wall-clock time and in MiB. An attempt that exceeds a limit counts as failed. 0, the default,
    * means no limit on memory, and for time a limit in processor time that suffices for every mesh
    * that TetGen can tetrahedralize, so that the result does not depend on how busy the machine is.
-   * In the portable build, the limit on memory has no effect.
+   * In AUTO mode, all attempts at an exact tetrahedralization together get 10 seconds and 0.1
+   * milliseconds per triangle of processor time, or TimeLimit if that is more. In the portable
+   * build, the limit on memory has no effect.
    *
    * Without a MemoryLimit, a mesh is refused if it needs more memory than the machine has. The need
    * is estimated from the numbers of vertices and triangles.
@@ -429,8 +431,8 @@ public:
    * The class of the levels on output port 0.
    * - MULTIBLOCK (default): a vtkMultiBlockDataSet with a block per level.
    * - PARTITIONED_COLLECTION: a vtkPartitionedDataSetCollection with a partitioned data set of one
-   *   partition per level, and the names (and for a composite input, the tree) in its data assembly.
-   *   GetOutput() is null then; GetOutputDataObject(0) has the levels.
+   *   partition per level, and the names (and for a composite input, the tree) in its data
+   *   assembly. GetOutput() is null then; GetOutputDataObject(0) has the levels.
    */
   vtkSetClampMacro(OutputType, int, MULTIBLOCK, PARTITIONED_COLLECTION);
   vtkGetMacro(OutputType, int);
@@ -441,9 +443,9 @@ public:
    * The number of processors to use. As many leaves of a composite input are worked on at a time:
    * while one is carved, helper programs decompose the next ones. Fewer run where the memory of the
    * machine would not suffice. If there are more processors than leaves, several work on each leaf:
-   * TetGen runs while crossings are searched for, winding numbers, the profile and levels are computed
-   * by several threads, and trials of simplified levels run beside each other. The outputs do not
-   * depend on this number. With 0, the default, as many as
+   * TetGen runs while crossings are searched for, winding numbers, the profile and levels are
+   * computed by several threads, and trials of simplified levels run beside each other. The outputs
+   * do not depend on this number. With 0, the default, as many as
    * vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
@@ -452,9 +454,9 @@ public:
 
   ///@{
   /**
-   * Whether the decompositions that the helper program makes are kept, so that it need not run again
-   * if only properties of the carving or of the levels change. A filter that updates once takes less
-   * time and memory without. The outputs do not depend on this property. Default: on.
+   * Whether the decompositions that the helper program makes are kept, so that it need not run
+   * again if only properties of the carving or of the levels change. A filter that updates once
+   * takes less time and memory without. The outputs do not depend on this property. Default: on.
    */
   vtkSetMacro(ReuseDecomposition, bool);
   vtkGetMacro(ReuseDecomposition, bool);
@@ -502,9 +504,9 @@ public:
    * Whether the distance of every step from M is computed, in world units: the `Error` of a level,
    * of a row of the profile and in the stream. The distance is the one-sided Hausdorff distance:
    * that of the point of the step's surface that is farthest from M. It is never too small, and at
-   * most one hundredth too large. The computation takes about ten times as long as carving alone,
-   * usually less than or about as long as the tetrahedralization. Default off: `Error` is NaN.
-   * Distances are not in the paper.
+   * most one hundredth, or a millionth of the mesh's diagonal, too large. The computation takes
+   * about ten times as long as carving alone, usually less than or about as long as the
+   * tetrahedralization. Default off: `Error` is NaN. Distances are not in the paper.
    */
   vtkSetMacro(ComputeError, bool);
   vtkGetMacro(ComputeError, bool);
@@ -547,9 +549,9 @@ public:
   /**
    * The wall-clock seconds that each stage of the last update took, summed over the leaves of a
    * composite input. The first stages belong to the helper program; their seconds are 0 if its
-   * result was reused. With several processors (NumberOfThreads), the helper programs of a composite
-   * input run beside each other, so that the sum exceeds the time of the update; and `resolve` is 0
-   * where TetGen ran meanwhile. An index out of range gives 0 and null.
+   * result was reused. With several processors (NumberOfThreads), the helper programs of a
+   * composite input run beside each other, so that the sum exceeds the time of the update; and
+   * `resolve` is 0 where TetGen ran meanwhile. An index out of range gives 0 and null.
    */
   int GetNumberOfStages();
   const char* GetStageName(int stage);
@@ -561,9 +563,9 @@ public:
    * The processes that share the work of a parallel run. The default is the global controller,
    * which exists under MPI only. Every object, which is the input or one of its leaves, is carved
    * whole by one process: the process that has the object, unless that would get over a tenth more
-   * cells than its share. Its outputs stay there. If an object is spread over several processes, one
-   * process gathers it, and a warning says so. The other processes get the same blocks with null or
-   * empty data.
+   * cells than its share. Its outputs stay there. If an object is spread over several processes,
+   * one process gathers it, and a warning says so. The other processes get the same blocks with
+   * null or empty data.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

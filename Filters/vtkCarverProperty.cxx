@@ -58,7 +58,8 @@ std::vector<vtkCarverProperty> MakeProperties()
       "Worth a try if parts nearly touch: 1e-6." },
     { NAMED(TimeLimit), NoChoices, 0.0, VTK_DOUBLE_MAX, NotStored,
       "The wall-clock time that one attempt at a tetrahedralization may take, in seconds. 0: a "
-      "limit that is rarely reached." },
+      "limit that is rarely reached. With auto conformity, all exact attempts together get 10 s "
+      "and 0.1 ms per triangle of processor time, or this time if it is more." },
     { NAMED(MemoryLimit), NoChoices, 0.0, VTK_DOUBLE_MAX, NotStored,
       "The memory that one attempt at a tetrahedralization may take, in MiB. 0: no limit. "
       "Without effect in the portable build." },

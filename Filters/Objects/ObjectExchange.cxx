@@ -13,8 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 namespace
 {
 

@@ -10,7 +10,6 @@
 #include "Core/Budget/RemainingCells.h"
 #include "Core/Mesh/Fetch.h"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 

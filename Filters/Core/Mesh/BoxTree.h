@@ -10,7 +10,6 @@
 #include "Core/Mesh/MedianSplit.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 

@@ -122,7 +122,7 @@ enum class Strategy : int
 {
   TetGen = 0,  ///< by TetGen
   Recover = 1, ///< by recovery in a Delaunay tetrahedralization. Not in the paper.
-  Auto = 2     ///< by TetGen, and by recovery where TetGen fails
+  Auto = 2     ///< by the one that takes less time, and then by the other
 };
 
 /** The user's options of the helper's work. */
@@ -141,7 +141,7 @@ struct HelperOptions
    * none.
    */
   double SnapTolerance = 0.0;
-  double TimeLimit = 0.0;   ///< seconds of one attempt; 0: none
+  double TimeLimit = 0.0;   ///< seconds of one attempt; 0: a limit of processor time
   double MemoryLimit = 0.0; ///< MiB of one attempt; 0: none
 
   bool operator==(const HelperOptions& other) const

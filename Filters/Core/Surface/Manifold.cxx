@@ -4,6 +4,7 @@
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/LargePages.h"
+#include "Core/Mesh/SortUnique.h"
 #include "Core/Surface/FacePairs.h"
 
 #include <algorithm>
@@ -243,8 +244,7 @@ ManifoldLevel<D> KeepUncut(const Level<D>& level)
     result.Points.insert(result.Points.end(), face.Corners.begin(), face.Corners.end());
     result.Faces.push_back(face.Corners);
   }
-  std::sort(result.Points.begin(), result.Points.end());
-  result.Points.erase(std::unique(result.Points.begin(), result.Points.end()), result.Points.end());
+  SortUnique(result.Points);
   for (std::array<int, D>& face : result.Faces)
   {
     for (int& corner : face)

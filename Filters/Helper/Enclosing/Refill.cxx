@@ -3,6 +3,7 @@
  * @file
  * What a PiercedMesh offers to those who replace its tetrahedra.
  */
+#include "Core/Mesh/SortUnique.h"
 #include "Helper/Enclosing/PiercedMesh.h"
 
 #include <algorithm>
@@ -255,11 +256,7 @@ PiercedMesh::PartsOfCells PiercedMesh::Collect(const std::vector<Cell>& cells) c
       }
     }
   }
-  const auto sort = [](auto& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
+  const auto sort = [](auto& list) { SortUnique(list); };
   sort(parts.OnFaces);
   sort(parts.Others);
   return parts;

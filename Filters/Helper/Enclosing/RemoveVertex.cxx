@@ -3,6 +3,7 @@
  * @file
  * Removes vertices from a PiercedMesh that were put on parts of M.
  */
+#include "Core/Mesh/SortUnique.h"
 #include "Helper/Enclosing/CellShape.h"
 #include "Helper/Enclosing/PiercedMesh.h"
 
@@ -98,8 +99,7 @@ std::vector<int> FindNeighbors(const std::vector<Cell>& star, const Vertex& v)
       }
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  SortUnique(neighbors);
   return neighbors;
 }
 
@@ -153,8 +153,7 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
       }
     }
   }
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  SortUnique(parts);
   Umbrella umbrella;
   for (const int part : parts)
   {

@@ -3,6 +3,7 @@
  * @file
  * Puts vertices on the edges and faces of a PiercedMesh.
  */
+#include "Core/Mesh/SortUnique.h"
 #include "Helper/Enclosing/CellShape.h"
 #include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Enclosing/StarShape.h"
@@ -89,8 +90,7 @@ PiercedMesh::Place PiercedMesh::PlaceOnFace(const Cell& cell, int f, const Point
 Subdivision::Change PiercedMesh::SplitParts(const Place& place, int vertex)
 {
   std::vector<int> parts = place.Parts; // cells share some of them
-  std::sort(parts.begin(), parts.end());
-  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  SortUnique(parts);
   Subdivision::Change change;
   for (const int part : parts)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Recovery/Detach.h"
 
+#include "Core/Mesh/SortUnique.h"
 #include "Helper/Recovery/SpaceFilling.h"
 #include "Helper/Recovery/VertexWalls.h"
 
@@ -251,8 +252,7 @@ std::vector<int> FindAdded(const PiercedMesh& mesh, int firstAdded)
       }
     }
   }
-  std::sort(added.begin(), added.end());
-  added.erase(std::unique(added.begin(), added.end()), added.end());
+  SortUnique(added);
   return added;
 }
 
@@ -274,8 +274,7 @@ std::vector<int> FindFreeNeighbors(
       }
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  SortUnique(neighbors);
   const std::vector<int> onM = FindAdded(mesh, firstAdded);
   std::vector<int> free;
   std::set_difference(

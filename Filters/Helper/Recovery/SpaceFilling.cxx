@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Recovery/SpaceFilling.h"
 
+#include "Core/Mesh/SortUnique.h"
 #include "Helper/Enclosing/CellShape.h"
 #include "Helper/Recovery/CavityPoints.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carving::helper
@@ -19,11 +21,10 @@ Corners3 CornersOf(const VertexTriangle& t)
   return { t[0]->point(), t[1]->point(), t[2]->point() };
 }
 
-void SortUnique(std::vector<Vertex>& vertices)
+void SortByIndex(std::vector<Vertex>& vertices)
 {
-  std::sort(vertices.begin(), vertices.end(),
-    [](const Vertex& a, const Vertex& b) { return a->info().Index < b->info().Index; });
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  SortUnique(
+    vertices, [](const Vertex& a, const Vertex& b) { return a->info().Index < b->info().Index; });
 }
 
 /**
@@ -80,7 +81,7 @@ std::optional<SpaceFilling> FillFromVertex(const Border& border)
   {
     vertices.insert(vertices.end(), t.begin(), t.end());
   }
-  SortUnique(vertices);
+  SortByIndex(vertices);
   Vertex apex;
   double best = 0.0;
   for (const Vertex& v : vertices)
@@ -137,7 +138,7 @@ std::optional<SpaceFilling> SearchFilling(const std::vector<Cell>& cells, const 
     }
     corners.push_back(helper::CornersOf(cell));
   }
-  SortUnique(filling.Vertices);
+  SortByIndex(filling.Vertices);
   if (filling.Vertices.size() > MaximumCavityVertices)
   {
     return {};

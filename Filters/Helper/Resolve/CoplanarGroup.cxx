@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/CoplanarGroup.h"
 
+#include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/PlaneTriangulation.h"
 #include "Helper/Resolve/PlaneProjection.h"
@@ -92,8 +93,7 @@ void Arrangement::InsertPoints()
   {
     points.insert(points.end(), cut.begin(), cut.end());
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  SortUnique(points);
   std::vector<PlaneKernel::Point_2> places;
   for (const int point : points)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/EdgeChains.h"
 
+#include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Resolve/NearPairs.h"
 
@@ -11,12 +12,6 @@ namespace carving::helper
 {
 namespace
 {
-
-void SortUnique(EdgeList& edges)
-{
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-}
 
 std::array<int, 2> EdgeBetween(int a, int b)
 {

@@ -49,12 +49,16 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   }
   const carving::Tetrahedralization& result = reply.Result;
   const auto kept = std::count(result.Kept.begin(), result.Kept.end(), 1);
+  const std::string added = std::to_string(reply.PointsAdded) + " vertices were added to the " +
+    std::to_string(result.Unresolved.Points.size()) + " of the mesh" +
+    (reply.IntersectingPairs > 0 ? " and its crossings." : ".");
   if (kept == 0 && reply.MetShare < 1.0)
   {
     std::ostringstream text;
     text << "The mesh is only enclosed: " << 100.0 * reply.MetShare
          << " % of its area is met. Its other triangles lie on faces with other edges, which may "
-            "reach beyond them.";
+            "reach beyond them. "
+         << added;
     notes.push_back(text.str());
   }
   if (kept > 0)
@@ -63,9 +67,7 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
     text << "The mesh is only enclosed: " << 100.0 * reply.MetShare << " % of its area is met. "
          << kept << " tetrahedra that it pierces are not carved and reach " << reply.KeptDistance
          << " from it; 99 % of their surface is within " << reply.KeptDistance99 << ", the mean is "
-         << reply.KeptDistanceMean << ". To keep them small, " << reply.PointsAdded
-         << " vertices were added to the " << result.Unresolved.Points.size() << " of the mesh"
-         << (reply.IntersectingPairs > 0 ? " and its crossings." : ".");
+         << reply.KeptDistanceMean << ". To keep them small, " << added;
     notes.push_back(text.str());
   }
 }

@@ -29,6 +29,21 @@ bool IsByError(const SimplifiedTarget& target, const DecimatedSurface& surface)
   return HasReached(surface, target) == (target.Type != LevelTarget::ErrorBound);
 }
 
+/** Errors are accurate to 1 %: closer surfaces differ by more than that. */
+constexpr double Clearly = 0.98;
+
+/**
+ * The error by which a surface is compared. One that was made for a smaller number than the target's
+ * has to be clearly closer, or a run would give the same level twice for next to nothing.
+ */
+double ComparedError(const SimplifiedTarget& target, const BestTrial& choice)
+{
+  const auto index = choice.Surface - choice.Trial->Result.Surfaces.data();
+  const bool isForLess =
+    target.Type != LevelTarget::ErrorBound && choice.Trial->Targets[index].Value < target.Value;
+  return choice.Surface->Error / (isForLess ? Clearly : 1.0);
+}
+
 bool IsBetter(const SimplifiedTarget& target, const BestTrial& a, const BestTrial& b)
 {
   const bool reached = HasReached(*a.Surface, target);
@@ -37,21 +52,17 @@ bool IsBetter(const SimplifiedTarget& target, const BestTrial& a, const BestTria
     return reached;
   }
   return IsByError(target, *a.Surface)
-    ? a.Surface->Error < b.Surface->Error
+    ? ComparedError(target, a) < ComparedError(target, b)
     : CountVertices(*a.Trial, *a.Surface) < CountVertices(*b.Trial, *b.Surface);
 }
 
-/**
- * Whether a coarser surface of the same trial is better. Where both reach a number, it has to be
- * closer by more than the accuracy of errors, which is 1 %.
- */
+/** Whether a coarser surface of the same trial is better: clearly closer, where both reach a number. */
 bool IsCoarserBetter(
   const SimplifiedTarget& target, const BestTrial& coarser, const BestTrial& finer)
 {
-  constexpr double clearly = 0.98;
   return IsBetter(target, coarser, finer) &&
     (target.Type == LevelTarget::ErrorBound || !finer.Surface->Reached ||
-      coarser.Surface->Error < clearly * finer.Surface->Error);
+      coarser.Surface->Error < Clearly * finer.Surface->Error);
 }
 
 /**
@@ -78,7 +89,7 @@ double CostOf(const SimplifiedTarget& target, const BestTrial& choice)
   constexpr double notReached = 1e3;
   const DecimatedSurface& surface = *choice.Surface;
   const double cost = IsByError(target, surface)
-    ? std::log(std::max(surface.Error, DBL_MIN))
+    ? std::log(std::max(ComparedError(target, choice), DBL_MIN))
     : std::log(static_cast<double>(CountVertices(*choice.Trial, surface)));
   return HasReached(surface, target) ? cost : notReached + cost;
 }
@@ -223,7 +234,7 @@ std::vector<BestTrial> ChooseTrials(
 }
 
 void DropTargetsOfLastStep(
-  const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial)
+  const std::vector<LevelTrial>& trials, double diagonal, double own, LevelTrial& trial)
 {
   double least = HUGE_VAL;
   for (const LevelTrial& last : trials)
@@ -236,5 +247,6 @@ void DropTargetsOfLastStep(
       }
     }
   }
-  DropTargetsIf(trial, [least](const TrialTarget& target) { return target.Value >= least; });
+  DropTargetsIf(
+    trial, [&](const TrialTarget& target) { return target.Value >= least && target.Value < own; });
 }

@@ -108,8 +108,10 @@ std::vector<BestTrial> ChooseTrials(
  * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one.
  * These are the numbers whose result neither the topology of the last step nor its pits keep far
  * from M, and all finer ones: only the details of M need more vertices. `diagonal` is that of M.
+ * Numbers from `own` on, that of the earlier step itself, stay, since a trial without collapses
+ * takes no time.
  */
 void DropTargetsOfLastStep(
-  const std::vector<LevelTrial>& trials, double diagonal, LevelTrial& trial);
+  const std::vector<LevelTrial>& trials, double diagonal, double own, LevelTrial& trial);
 
 #endif

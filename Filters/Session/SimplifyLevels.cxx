@@ -134,7 +134,7 @@ bool SimplifyLevels(const DecomposedLeaf<3>& leaf, const CarverSettings& setting
   {
     return true;
   }
-  TrialRunner runner(leaf, carved.Stream, settings.ThreadsOfLeaf, stages);
+  TrialRunner runner(leaf, carved, settings.ThreadsOfLeaf, stages);
   const std::vector<LevelTrial>& trials = runner.GetTrials();
   const auto between = [&](int mostVertices)
   { return PlanTrialsBetween(profile, targets, trials, mostVertices); };

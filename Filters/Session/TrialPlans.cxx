@@ -84,7 +84,11 @@ std::vector<int> FindCoarsestSteps(const Profile& profile, const SimplifiedTarge
   constexpr double farther = 1.25;
   const auto findStep = [&](double bound)
   { return carving::SelectStep(profile, target.Type, bound).Step; };
-  return { findStep(target.Value), findStep(farther * target.Value) };
+  // Where hollows open, later steps may be farther than earlier ones, whose walls are all on M.
+  const auto first = std::find_if(profile.Error.begin(), profile.Error.end(),
+    [&](double error) { return error <= target.Value; });
+  return { findStep(target.Value), findStep(farther * target.Value),
+    static_cast<int>(first - profile.Error.begin()) };
 }
 
 /** The steps before the last one that are decimated for a target at first, from fine to coarse. */

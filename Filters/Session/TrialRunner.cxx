@@ -67,11 +67,12 @@ DecimationTarget AsDecimationTarget(LevelTarget type)
 
 } // namespace
 
-TrialRunner::TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream,
-  int threads, CarverStages& stages)
-  : Stream(stream)
+TrialRunner::TrialRunner(
+  const DecomposedLeaf<3>& leaf, const CarvedLeaf<3>& carved, int threads, CarverStages& stages)
+  : Stream(carved.Stream)
+  , Profile(carved.Profile)
   , Stages(stages)
-  , Mesh(GetMesh(leaf, stream))
+  , Mesh(GetMesh(leaf, carved.Stream))
   , Diagonal(carving::Diagonal(this->Mesh.Points))
   , Distance(this->Mesh)
   , Threads(threads)
@@ -173,7 +174,10 @@ void TrialRunner::DropHopelessTargets(
   }
   if (trial.Step < trial.LastStep)
   {
-    DropTargetsOfLastStep(this->Trials, this->Diagonal, trial);
+    const std::vector<int>& counts = targets.front().Type == LevelTarget::Triangles
+      ? this->Profile.Triangles
+      : this->Profile.Vertices;
+    DropTargetsOfLastStep(this->Trials, this->Diagonal, counts[trial.Step], trial);
   }
   const auto mostError = [&](const TrialTarget& wanted)
   {

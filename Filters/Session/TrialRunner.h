@@ -19,8 +19,8 @@ class TrialRunner
 {
 public:
   /** The arguments must outlive this object. At most `threads` threads work at a time. */
-  TrialRunner(const DecomposedLeaf<3>& leaf, const carving::StoredStream<3>& stream, int threads,
-    CarverStages& stages);
+  TrialRunner(
+    const DecomposedLeaf<3>& leaf, const CarvedLeaf<3>& carved, int threads, CarverStages& stages);
 
   /**
    * Runs trials as a part of the stage, after dropping those of their targets for which a result is
@@ -46,6 +46,7 @@ private:
   double FindLeastError(int step, double enough) const;
 
   const carving::StoredStream<3>& Stream;
+  const carving::Profile& Profile;
   CarverStages& Stages;
   const carving::ResolvedMesh& Mesh; ///< M
   double Diagonal;                   ///< of M

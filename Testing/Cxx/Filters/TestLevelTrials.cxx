@@ -41,13 +41,13 @@ LevelTrial MakeTrial(int step, const std::vector<Reached>& surfaces, double leas
   return trial;
 }
 
-/** The numbers that an earlier step is tried for after the last one. */
-std::vector<double> FindTried(const LevelTrial& last)
+/** The numbers that an earlier step of `own` vertices is tried for after the last one. */
+std::vector<double> FindTried(const LevelTrial& last, double own = VerticesOfM)
 {
   LevelTrial earlier;
   earlier.LastStep = LastStep;
   earlier.Targets = last.Targets;
-  DropTargetsOfLastStep({ last }, Diagonal, earlier);
+  DropTargetsOfLastStep({ last }, Diagonal, own, earlier);
   std::vector<double> numbers;
   for (const TrialTarget& target : earlier.Targets)
   {
@@ -142,6 +142,13 @@ TEST(LevelTrials, SpareFinerNumbersOfSmoothSurfaces)
 {
   const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.006 }, { 1000, 0.008 } });
   EXPECT_EQ(FindTried(last), Counts());
+}
+
+// An earlier step is always tried for numbers that it meets without collapses.
+TEST(LevelTrials, TryEarlierStepsThatNeedNoCollapses)
+{
+  const LevelTrial last = MakeTrial(LastStep, { { 2000, 0.006 }, { 1000, 0.008 } });
+  EXPECT_EQ(FindTried(last, 2000.0), Counts({ 2000 }));
 }
 
 // An earlier step is tried for all numbers below one that it is tried for. If it is best there, the
@@ -398,6 +405,28 @@ TEST(LevelTrials, KeepFinerLevelsAtEqualDistances)
   const BestTrial best = FindBestTrial(trials, MakeTargets({ 500.0 }).front());
   ASSERT_TRUE(best.Trial);
   EXPECT_EQ(best.Surface->Error, 0.0301);
+}
+
+// A surface of another trial that was made for a smaller number has to be clearly closer, too.
+TEST(LevelTrials, PreferSurfacesMadeForTheNumber)
+{
+  const std::vector<SimplifiedTarget> targets = MakeTargets({ 300.0, 800.0 });
+  std::vector<LevelTrial> trials = { MakeTrial(50, { { 300, 0.0885 } }),
+    MakeTrial(LastStep, { { 800, 0.0886 }, { 300, 0.1 } }) };
+  EXPECT_EQ(ChooseTrials(trials, targets)[1].Surface, &trials[1].Result.Surfaces[0]);
+  trials[0].Result.Surfaces[0].Error = 0.08;
+  EXPECT_EQ(ChooseTrials(trials, targets)[1].Surface, &trials[0].Result.Surfaces[0]);
+}
+
+// The coarsest step within an error bound is tried, also if later ones are farther for a while.
+TEST(LevelTrials, TryTheCoarsestStepWithinABound)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  profile.Error[0] = 0.0;
+  const std::vector<LevelTrial> trials =
+    PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }, {});
+  EXPECT_TRUE(std::any_of(
+    trials.begin(), trials.end(), [](const LevelTrial& trial) { return trial.Step == 0; }));
 }
 
 // No level comes from a later step than a finer one, even if that is closer to M.

@@ -137,13 +137,13 @@ LEVELS
         triangles that some trials find.
 
     --feature-size X,X,...
-        The level at which gaps wider than about this length are open.
+        The level at which gaps wider than about this length, above 0, are open.
 
     --error-bound X,X,...
         The first level such that no point of it, or of any level after it, is
-        farther from the mesh than this length. With --simplify, the level with the
-        fewest vertices that some trials find within this length, or if there is
-        none, the closest.
+        farther from the mesh than this length, above 0. With --simplify, the level
+        with the fewest vertices that some trials find within this length, or if there
+        is none, the closest.
 
     --step N,N,...
         The level after this number of carving steps.

@@ -31,6 +31,7 @@ std::string CheckDecimation(const Options& options)
     return options.Nested ? "--nested wants --decimate" : "";
   }
   const std::string other = !options.CarvingOption.empty() ? options.CarvingOption
+    : options.Simplifies()                                 ? "--simplify"
     : !options.Profile.empty()                             ? "--profile"
     : options.Properties.count("NumberOfLevels") > 0       ? "--levels"
     : IsStream(options.Inputs[0])                          ? "a stored stream"
@@ -105,6 +106,10 @@ std::string CheckCombination(const Options& options)
   {
     return "--levels cannot be combined with other ways to pick levels";
   }
+  if (options.Properties.count("MaximumVertices") > 0 && !options.Simplifies())
+  {
+    return "--maximum-vertices wants --simplify";
+  }
   const auto initial = options.Properties.find("InitialApproximation");
   if (initial != options.Properties.end() && initial->second == vtkTopologyCarver::CUSTOM &&
     options.InitialMesh.empty())
@@ -119,6 +124,10 @@ std::string CheckCombination(const Options& options)
   {
     return options.CarvingOption + " wants a mesh: " + options.Inputs[0] +
       " has been carved already";
+  }
+  if (IsStream(options.Inputs[0]) && options.Simplifies() && options.Targets.empty())
+  {
+    return "--simplify wants --vertices or another way to pick levels of a stored stream";
   }
   return {};
 }

@@ -120,7 +120,6 @@ std::string TakeTargets(int type, const std::string& text, Options& options)
   }
   options.Properties["MaximumVertices"] = options.Targets.front();
   options.Properties["LevelSimplification"] = vtkTopologyCarver::ENCLOSING_COLLAPSE;
-  options.CarvingOption = "--vertices with --" + ToOption(GetTargetTypes()[type]);
   options.Targets = targets;
   options.TargetType = type;
   return {};

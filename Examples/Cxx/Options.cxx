@@ -127,14 +127,13 @@ void AddPropertyOptions(Options& options, std::vector<KnownOption>& known)
         double& value = options.Properties[property.Name];
         const std::string option = "--" + ToOption(property.Name);
         const std::string error = ParseValue(option, property, text, value);
-        if (property.Name == "ManifoldOutput") // which levels of a stored stream have, too
+        if (property.Name == "ManifoldOutput")
         {
           options.ManifoldOutput = value != 0.0;
         }
-        else
-        {
-          options.CarvingOption = option;
-        }
+        const bool isForLevels = // also for those of a stored stream
+          property.Name == "ManifoldOutput" || property.Name == "MaximumVertices";
+        options.CarvingOption = isForLevels ? options.CarvingOption : option;
         return error;
       } });
   }
@@ -159,7 +158,6 @@ std::vector<KnownOption> MakeKnownOptions(Options& options)
     [&](const std::string&)
     {
       options.Properties["LevelSimplification"] = vtkTopologyCarver::ENCLOSING_COLLAPSE;
-      options.CarvingOption = "--simplify";
       return "";
     } });
   for (const auto& [name, flag] :

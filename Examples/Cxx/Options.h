@@ -43,6 +43,12 @@ struct Options
   /** The name of the result of an input. */
   std::string GetFile(const std::string& input) const;
 
+  /** Whether levels are simplified. */
+  bool Simplifies() const
+  {
+    return this->Properties.count("LevelSimplification") > 0;
+  }
+
   /** Whether standard output is for JSON alone. */
   bool IsQuiet() const
   {

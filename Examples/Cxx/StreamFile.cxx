@@ -19,6 +19,7 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -71,6 +72,13 @@ void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
   vtkNew<vtkExtractCarvedLOD> extract;
   extract->SetInputData(stream);
   extract->SetManifoldOutput(options.ManifoldOutput);
+  if (options.Simplifies())
+  {
+    extract->SetLevelSimplification(vtkExtractCarvedLOD::ENCLOSING_COLLAPSE);
+    const auto most = options.Properties.find("MaximumVertices");
+    extract->SetMaximumVertices(
+      most != options.Properties.end() ? static_cast<int>(most->second) : 0);
+  }
   std::vector<vtkSmartPointer<vtkPolyData>> found;
   if (options.Targets.empty())
   {
@@ -96,8 +104,10 @@ void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
       extract->Update();
       AddLevel(extract->GetOutput(), found);
     }
+    const auto orderOf = [](vtkPolyData* level) // simplified levels may come from the same step
+    { return std::make_pair(GetStep(level), level->GetNumberOfPoints()); };
     std::stable_sort(found.begin(), found.end(),
-      [](const auto& a, const auto& b) { return GetStep(a) < GetStep(b); });
+      [&](const auto& a, const auto& b) { return orderOf(a) < orderOf(b); });
   }
   levels->SetNumberOfBlocks(static_cast<unsigned int>(found.size()));
   for (unsigned int i = 0; i < found.size(); ++i)

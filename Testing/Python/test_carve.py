@@ -152,6 +152,8 @@ class TestCarve(CarveTestCase):
                 self.assertLessEqual(row[5], tunnels)
         two = ("--vertices", "9,10", "--tunnels", "0")
         self.expect_failure(self.run_carve(BONES, *two), 2, "options only")
+        limit = ("--components", "1", "--maximum-vertices", "60")
+        self.expect_failure(self.run_carve(BONES, *limit), 2, "--maximum-vertices", "--simplify")
 
     def test_decimates(self):
         """--decimate gives closed surfaces of the wanted sizes, coarsest first."""
@@ -249,7 +251,8 @@ class TestCarve(CarveTestCase):
     def test_answers_from_a_stored_stream(self):
         """Levels from a file of --stream have the same bytes as the levels of the carving."""
         for option in (("--levels", "4"), ("--vertices", "300,900"), ("--triangles", "700"), ("--step", "0,55"),
-                       ("--feature-size", "0.8")):
+                       ("--feature-size", "0.8"), ("--simplify", "--vertices", "60,300"),
+                       ("--tunnels", "0,2", "--vertices", "150")):
             carved = self.table(BONES, "--stream", "out.vtu", "-o", "carved.vtm", *option)
             answered = self.table("out.vtu", "-o", "answered.vtm", *option)
             self.assertEqual(carved, answered)
@@ -262,6 +265,7 @@ class TestCarve(CarveTestCase):
         """A stored stream excludes options for carving, and has to be a .vtu file that exists."""
         self.table(BONES, "--stream", "out.vtu")
         self.expect_failure(self.run_carve("out.vtu", "--depth-exponent", "2"), 2, "--depth-exponent", "already")
+        self.expect_failure(self.run_carve("out.vtu", "--simplify"), 2, "--simplify", "--vertices")
         self.expect_failure(self.run_carve("none.vtu"), 1, "none.vtu", "no such file")
         self.expect_failure(self.run_carve(BONES, "--stream", "out.vtk"), 2, ".vtu")
 

@@ -15,6 +15,22 @@ vtkPVExtractCarvedLOD::vtkPVExtractCarvedLOD()
 }
 
 //------------------------------------------------------------------------------
+void vtkPVExtractCarvedLOD::SetVertexTarget(int target)
+{
+  const int clamped = std::max(target, 0);
+  if (clamped != this->VertexTarget)
+  {
+    // The panel takes over the number that is shown, which changes nothing.
+    const bool isShown = this->VertexTarget == 0 && clamped == this->ShownVertices;
+    this->VertexTarget = clamped;
+    if (!isShown)
+    {
+      this->Modified();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkPVExtractCarvedLOD::OfferTimes(vtkInformation* input, vtkInformation* output)
 {
   const bool follow = this->FollowTime;
@@ -81,15 +97,16 @@ int vtkPVExtractCarvedLOD::RequestData(
   vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out)
 {
   double range[2];
+  this->ShownVertices = this->VertexTarget;
   if (this->LevelTargetType == VERTICES && this->VertexTarget == 0 &&
     this->GetLevelTargetRange(VERTICES, range))
   {
     // No object of a collection is asked for less than its hull.
     const double least = this->GetLeastCommonTarget(VERTICES);
-    this->VertexTarget =
+    this->ShownVertices =
       static_cast<int>(std::lround(std::max(std::sqrt(range[0] * range[1]), least)));
   }
-  const double targets[] = { static_cast<double>(this->VertexTarget),
+  const double targets[] = { static_cast<double>(this->ShownVertices),
     static_cast<double>(this->TriangleTarget), this->FeatureSizeTarget,
     static_cast<double>(this->TunnelsTarget), static_cast<double>(this->ComponentTarget),
     this->ErrorBoundTarget, static_cast<double>(this->StepTarget) };
@@ -106,6 +123,7 @@ void vtkPVExtractCarvedLOD::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VertexTarget: " << this->VertexTarget << "\n";
+  os << indent << "ShownVertices: " << this->ShownVertices << "\n";
   os << indent << "TriangleTarget: " << this->TriangleTarget << "\n";
   os << indent << "FeatureSizeTarget: " << this->FeatureSizeTarget << "\n";
   os << indent << "TunnelsTarget: " << this->TunnelsTarget << "\n";

@@ -21,11 +21,11 @@ public:
 
   ///@{
   /**
-   * The LevelTarget for each LevelTargetType. The default of the VertexTarget is 0: the next update
-   * sets it to the geometric mean of its range, so that the level is between hull and mesh, or to
-   * the vertices of the largest hull in a collection if these are more.
+   * The LevelTarget for each LevelTargetType. A VertexTarget of 0, the default, stands for the
+   * geometric mean of its range, so that the level is between hull and mesh, or for the vertices of
+   * the largest hull in a collection if these are more.
    */
-  vtkSetClampMacro(VertexTarget, int, 0, VTK_INT_MAX);
+  void SetVertexTarget(int target);
   vtkGetMacro(VertexTarget, int);
   vtkSetClampMacro(TriangleTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(TriangleTarget, int);
@@ -40,6 +40,9 @@ public:
   vtkSetClampMacro(StepTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(StepTarget, int);
   ///@}
+
+  /** The VertexTarget of the last update, also where the property is 0. */
+  vtkGetMacro(ShownVertices, int);
 
   ///@{
   /**
@@ -79,6 +82,7 @@ private:
 
   double* GetRange(int type, double target);
 
+  int ShownVertices = 0;
   double Range[2] = { 0.0, 0.0 };
 };
 

@@ -40,6 +40,15 @@ class TestFilters(unittest.TestCase):
         self.assertTrue(hull < shown[0] <= math.sqrt(hull * POINTS) + 1)
         self.assertEqual(counts(carver, LEVEL, 49), shown)
 
+    def test_finds_the_middle_of_the_present_input(self):
+        """Without a number of vertices, the level is in the middle of the input, whatever was shown before."""
+        other = open_model("two-spheres.ply")
+        expected = counts(simple.TopologyCarver(Input=other))
+        carver = self.carver()
+        counts(carver)
+        carver.Input = other
+        self.assertEqual(counts(carver), expected)
+
     def test_decimates_a_surface(self):
         """Enclosing Decimation has the coarsest surface on its first output and all on its second."""
         decimation = simple.EnclosingDecimation(Input=self.mesh, Targets=[1000, 400])

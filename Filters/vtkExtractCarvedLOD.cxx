@@ -122,7 +122,7 @@ void vtkExtractCarvedLOD::SetLevelTarget(double target)
 {
   if (std::isnan(target))
   {
-    vtkErrorMacro(<< "LevelTarget cannot be " << target << ": it stays " << this->LevelTarget
+    vtkErrorMacro(<< "A level target cannot be " << target << ": it stays " << this->LevelTarget
                   << ".");
     return;
   }

@@ -45,7 +45,8 @@ std::string AddInitial(const Job& job, ResolvedMesh& surface)
 {
   // A triangle that is given twice must not be marked twice.
   const ResolvedMesh initial = Clean(AsResolved(job.InitialMesh));
-  const std::string mistake = CheckInitialSurface(initial);
+  std::string mistake = CheckInitialSurface(initial);
+  mistake = mistake.empty() ? CheckPointsWithin(initial, surface) : mistake;
   if (!mistake.empty())
   {
     return mistake;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Exact/InitialSurface.h"
 
+#include "Core/Mesh/Box.h"
+#include "Core/Mesh/FacetTree.h"
+#include "Core/Solid/WindingTree.h"
 #include "Helper/Base/Cleaning.h"
 #include "Helper/Base/GivenInitial.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
@@ -56,6 +60,16 @@ void Renumber(std::array<int, 4>& indices, const std::vector<int>& newIndex)
   }
 }
 
+/** The error for triangles of the input that lie outside, or an empty string if there are none. */
+std::string DescribeOutside(const std::set<int>& outside)
+{
+  return outside.empty()
+    ? std::string()
+    : InitialPrefix + std::string("does not contain the input: ") + std::to_string(outside.size()) +
+      " of the input's triangles lie outside, at least in part; the first is triangle " +
+      std::to_string(*outside.begin()) + ".";
+}
+
 /** An error if a facet of M is a face of no tetrahedron within C0, or an empty string. */
 std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector<char>& within)
 {
@@ -79,11 +93,7 @@ std::string CheckContainsInput(const Tetrahedralization& mesh, const std::vector
       outside.insert(surface.FacetSources[facet]);
     }
   }
-  return outside.empty()
-    ? std::string()
-    : InitialPrefix + std::string("does not contain the input: ") + std::to_string(outside.size()) +
-      " of the input's triangles lie outside, at least in part; the first is triangle " +
-      std::to_string(*outside.begin()) + ".";
+  return DescribeOutside(outside);
 }
 
 } // namespace
@@ -125,6 +135,32 @@ std::string CheckInitialSurface(const ResolvedMesh& mesh)
     add("intersects itself (", crossings, " pairs of triangles)");
   }
   return problems.tellp() > 0 ? InitialPrefix + problems.str() + "." : std::string();
+}
+
+std::string CheckPointsWithin(const ResolvedMesh& initial, const ResolvedMesh& surface)
+{
+  constexpr double touching = 1e-9; // of the diagonal
+  constexpr double half = 0.5;
+  const double least = touching * Diagonal(initial.Points);
+  const FacetTree<3> tree(initial);
+  const WindingTree windings(initial);
+  std::vector<char> isOutside(surface.Points.size(), 0);
+  for (std::size_t i = 0; i < surface.Points.size(); ++i)
+  {
+    const Point& p = surface.Points[i];
+    isOutside[i] =
+      std::abs(windings.Measure(p, { half })) < half && tree.Find(p, least).Distance > least;
+  }
+  std::set<int> outside;
+  for (std::size_t facet = 0; facet < surface.Facets.size(); ++facet)
+  {
+    const Triangle& t = surface.Facets[facet];
+    if (std::any_of(t.begin(), t.end(), [&](int corner) { return isOutside[corner]; }))
+    {
+      outside.insert(surface.FacetSources[facet]);
+    }
+  }
+  return DescribeOutside(outside);
 }
 
 void AddInitialSurface(const ResolvedMesh& initial, ResolvedMesh& surface)

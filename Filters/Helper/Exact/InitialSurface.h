@@ -20,6 +20,12 @@ namespace carving::helper
 std::string CheckInitialSurface(const ResolvedMesh& mesh);
 
 /**
+ * Checks that no point of M is outside a C0 that has passed the check. To be called first, since
+ * TetGen may fail where M and C0 cross. Returns an empty string, or an error.
+ */
+std::string CheckPointsWithin(const ResolvedMesh& initial, const ResolvedMesh& surface);
+
+/**
  * Adds the triangles of a clean C0, with points of their own, to those of M. They are marked in
  * `Multiplicities` and are 0 in `SignedMultiplicities`.
  */

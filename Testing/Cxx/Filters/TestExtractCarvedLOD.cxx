@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace
 {
 
@@ -88,6 +90,17 @@ TEST(ExtractCarvedLOD, WarnsOfAStepBeyondTheLast)
   extract->Update();
   EXPECT_EQ(messages.Warnings.size(), 1u);
   EXPECT_EQ(extract->GetOutput()->GetNumberOfPolys(), 24);
+}
+
+// A target that is no number leaves the last one.
+TEST(ExtractCarvedLOD, RefusesATargetThatIsNoNumber)
+{
+  vtkNew<vtkExtractCarvedLOD> extract;
+  Messages messages(extract);
+  extract->SetLevelTarget(7.0);
+  extract->SetLevelTarget(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(messages.Errors.size(), 1u);
+  EXPECT_EQ(extract->GetLevelTarget(), 7.0);
 }
 
 // A grid that is no stream, lacks an array, or has a cell with a repeated corner is refused with

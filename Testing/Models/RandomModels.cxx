@@ -202,6 +202,12 @@ TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& ra
   return Joined(mesh, other);
 }
 
+TriangleMesh NearlyEqualSpheres()
+{
+  std::mt19937_64 random(1);
+  return Doubled(Sphere(1), 1e-13, random);
+}
+
 RandomModel MakeRandom(std::mt19937_64& random)
 {
   std::uniform_real_distribution<double> unit;

@@ -53,6 +53,9 @@ TriangleMesh Rotated(TriangleMesh mesh, std::mt19937_64& random);
 /** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 
+/** Two surfaces so close that rounding crossings to doubles creates others, again and again. */
+TriangleMesh NearlyEqualSpheres();
+
 /** A random mesh and its known properties. */
 struct RandomModel
 {

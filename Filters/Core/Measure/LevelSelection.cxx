@@ -16,6 +16,9 @@ namespace carving
 namespace
 {
 
+/** Numbers of vertices and steps are written out in messages: 1000000, not 1e+06. */
+constexpr int DigitsOfCounts = 10;
+
 /**
  * The last step such that all counts up to it are at most `limit`; -1 if even that of C0 exceeds
  * it.
@@ -35,6 +38,7 @@ SelectedStep SelectByCount(const std::vector<int>& counts, double target, const 
     return { step, {} };
   }
   std::ostringstream problem;
+  problem.precision(DigitsOfCounts);
   problem << "The target of " << target << " " << what << " is below the " << counts.front()
           << " of the initial approximation, which is given instead.";
   return { 0, problem.str() };
@@ -70,6 +74,7 @@ SelectedStep SelectNearest(int last, double target)
     return { static_cast<int>(step), {} };
   }
   std::ostringstream problem;
+  problem.precision(DigitsOfCounts);
   problem << "There is no step " << target << ": the stream ends with step " << last
           << ". The nearest is given instead.";
   return { step > last ? last : 0, problem.str() };

@@ -121,6 +121,14 @@ TEST(SelectStep, TakesAStepOrTheNearest)
   EXPECT_NE(SelectStep(profile, LevelTarget::Step, 9).Problem, "");
 }
 
+// Messages write large numbers out.
+TEST(SelectStep, WritesLargeNumbersOut)
+{
+  const std::string problem =
+    SelectStep(WithVertices({ 4, 5 }), LevelTarget::Step, 100000000.0).Problem;
+  EXPECT_NE(problem.find(" 100000000:"), std::string::npos) << problem;
+}
+
 // The range of a target goes from the initial approximation to the most that any step has.
 TEST(GetTargetRange, GoesFromTheFirstStepToTheGreatest)
 {

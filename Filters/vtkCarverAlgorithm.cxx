@@ -80,7 +80,8 @@ struct vtkCarverAlgorithm::Version
 
 //------------------------------------------------------------------------------
 vtkCarverAlgorithm::vtkCarverAlgorithm(int dimension)
-  : Exchange(new ObjectExchange)
+  : Dimension(dimension)
+  , Exchange(new ObjectExchange)
   , Done(new Version)
 {
   if (dimension == 2)
@@ -236,7 +237,7 @@ CarverSettings vtkCarverAlgorithm::GetSettings()
   settings.NumberOfLevels = this->NumberOfLevels;
   settings.LevelTargets = this->Targets;
   settings.TargetType = static_cast<carving::LevelTarget>(this->LevelTargetType);
-  settings.Simplify = this->LevelSimplification == ENCLOSING_COLLAPSE;
+  settings.Simplify = this->Dimension == 3 && this->LevelSimplification == ENCLOSING_COLLAPSE;
   const int measure = this->PriorityMeasure != AUTO_MEASURE ? this->PriorityMeasure
     : settings.Simplify                                     ? EDGE_DISTANCE
                                                             : LONGEST_EDGE;

@@ -629,6 +629,7 @@ private:
   /** Sets a property to the number within the range; one that is not finite is an error. */
   void SetNumber(const char* name, double number, double greatest, double& property);
 
+  int Dimension;
   bool WasAborted = false; ///< by the last update
   vtkMultiProcessController* Controller = nullptr;
   std::unique_ptr<CarverSessionBase> Session;

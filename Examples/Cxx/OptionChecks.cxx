@@ -92,9 +92,23 @@ std::string CheckOutput(const Options& options)
 
 } // namespace
 
+std::string CheckContours(const Options& options)
+{
+  if (options.Contours && options.Simplifies())
+  {
+    return "contours cannot be simplified: --simplify, and --vertices beside other targets, are "
+           "for "
+           "meshes";
+  }
+  return options.Contours && !options.Output.empty() &&
+      !LevelWriter::HoldsLines(options.GetFormat())
+    ? "contours can be written to .vtm, .vtpc or .vtp only"
+    : "";
+}
+
 std::string CheckCombination(const Options& options)
 {
-  for (const auto check : { CheckOutput, CheckScene, CheckDecimation })
+  for (const auto check : { CheckOutput, CheckScene, CheckDecimation, CheckContours })
   {
     const std::string error = check(options);
     if (!error.empty())
@@ -115,10 +129,6 @@ std::string CheckCombination(const Options& options)
     options.InitialMesh.empty())
   {
     return "--initial-approximation custom wants --initial-mesh FILE";
-  }
-  if (options.Contours && !options.Output.empty() && !LevelWriter::HoldsLines(options.GetFormat()))
-  {
-    return "contours can be written to .vtm, .vtpc or .vtp only";
   }
   if (IsStream(options.Inputs[0]) && !options.CarvingOption.empty())
   {

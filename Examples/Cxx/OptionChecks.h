@@ -9,6 +9,9 @@ struct Options;
 /** Returns an empty string, or a description of options that contradict each other. */
 std::string CheckCombination(const Options& options);
 
+/** Returns an empty string, or a description of options that contours exclude. */
+std::string CheckContours(const Options& options);
+
 /**
  * Returns an empty string, or a description of options that an input with several meshes excludes.
  */

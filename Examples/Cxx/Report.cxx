@@ -128,5 +128,9 @@ int Finish(const Options& options, ErrorLog* log, Report& report)
   {
     return ExitCode::Fail("cannot write " + options.Json);
   }
+  if (std::fflush(stdout) != 0)
+  {
+    return ExitCode::Fail("cannot write to standard output");
+  }
   return report.Errors.empty() ? ExitCode::Success : ExitCode::Failure;
 }

@@ -4,6 +4,7 @@
 #include "ErrorLog.h"
 #include "Options.h"
 
+#include "vtkCellType.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkExtractCarvedLOD.h"
@@ -19,7 +20,6 @@
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <utility>
 
 namespace
 {
@@ -66,6 +66,12 @@ std::string StreamFile::Read(
   return {};
 }
 
+bool StreamFile::HoldsContours(vtkUnstructuredGrid* stream)
+{
+  const vtkIdType cells = stream->GetNumberOfCells(); // those of the input come last
+  return cells > 0 && stream->GetCellType(cells - 1) == VTK_LINE;
+}
+
 void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
   vtkMultiBlockDataSet* levels, vtkTable* profile)
 {
@@ -98,16 +104,19 @@ void StreamFile::Extract(const Options& options, vtkUnstructuredGrid* stream,
   else
   {
     extract->SetLevelTargetType(options.TargetType);
-    for (const double target : options.Targets)
+    std::vector<double> targets = options.Targets;
+    std::sort(targets.begin(), targets.end());
+    if (options.TargetType == vtkExtractCarvedLOD::ERROR_BOUND ||
+      options.TargetType == vtkExtractCarvedLOD::FEATURE_SIZE)
+    {
+      std::reverse(targets.begin(), targets.end()); // from coarse to fine
+    }
+    for (const double target : targets)
     {
       extract->SetLevelTarget(target);
       extract->Update();
       AddLevel(extract->GetOutput(), found);
     }
-    const auto orderOf = [](vtkPolyData* level) // simplified levels may come from the same step
-    { return std::make_pair(GetStep(level), level->GetNumberOfPoints()); };
-    std::stable_sort(found.begin(), found.end(),
-      [&](const auto& a, const auto& b) { return orderOf(a) < orderOf(b); });
   }
   levels->SetNumberOfBlocks(static_cast<unsigned int>(found.size()));
   for (unsigned int i = 0; i < found.size(); ++i)

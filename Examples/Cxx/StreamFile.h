@@ -17,6 +17,9 @@ namespace StreamFile
 /** Returns an empty string, or the reason why the file cannot be read. */
 std::string Read(const std::string& fileName, ErrorLog* log, vtkUnstructuredGrid* stream);
 
+/** Whether a stream is that of contours. */
+bool HoldsContours(vtkUnstructuredGrid* stream);
+
 /**
  * Extracts the levels that the options ask for, from coarse to fine, and the profile. The filter
  * reports errors and warnings.

@@ -217,7 +217,7 @@ int CarveMesh(const Options& options, ErrorLog* log)
   return Finish(options, log, report);
 }
 
-int AnswerFromStream(const Options& options, ErrorLog* log)
+int AnswerFromStream(Options options, ErrorLog* log)
 {
   Report report;
   vtkNew<vtkUnstructuredGrid> stream;
@@ -227,6 +227,12 @@ int AnswerFromStream(const Options& options, ErrorLog* log)
     return Fail("cannot read " + options.Inputs[0] + ": " + unreadable);
   }
   report.Clock.Record("read");
+  options.Contours = StreamFile::HoldsContours(stream);
+  const std::string misuse = CheckContours(options);
+  if (!misuse.empty())
+  {
+    return Fail(misuse, ExitCode::WrongUsage);
+  }
   PrintSize(options, options.Inputs[0], stream);
   report.Levels = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   report.Profile = vtkSmartPointer<vtkTable>::New();

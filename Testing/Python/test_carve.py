@@ -230,6 +230,11 @@ class TestCarve(CarveTestCase):
         self.assertRegex(self.run_carve("u.vtp", "--contours").stdout, r"\nstream: 8 triangles \(.+\)\n")
         self.assertIn("--contours", self.run_carve("u.vtp").stderr)
         self.assertEqual(self.run_carve("u.vtp", "--contours", "-o", "levels.stl").returncode, 2)
+        self.expect_failure(self.run_carve("u.vtp", "--contours", "--simplify"), 2, "--simplify", "meshes")
+        self.table("u.vtp", "--contours", "--stream", "u.vtu")
+        self.assertRegex(self.run_carve("u.vtu").stdout, r"\nlevel +step +vertices +edges +components +holes")
+        self.expect_failure(self.run_carve("u.vtu", "-o", "levels.glb"), 2, ".vtm")
+        self.expect_failure(self.run_carve("u.vtu", "--simplify", "--vertices", "7"), 2, "--simplify", "meshes")
 
     def test_starts_from_a_given_mesh(self):
         """--initial-mesh gives level 0 and has to contain the input."""

@@ -133,6 +133,9 @@ class TestCarveDamage(CarveTestCase):
                              ("--json", "full.json")):
             os.symlink("/dev/full", self.path(name))
             self.expect_failure(self.run_carve(BONES, option, name), 1, "cannot write " + name)
+        with open("/dev/full", "w", encoding="ascii") as full:
+            run = subprocess.run([CARVE, BONES], stdout=full, stderr=subprocess.PIPE, text=True, cwd=self.folder)
+        self.assertEqual((run.returncode, run.stderr), (1, "carve: cannot write to standard output\n"))
         self.table(BONES, "--stream", "s.vtu")
         for name, failed in (("out.vtm", "out.vtm"), ("out.vtpc", "out.vtpc"), ("out.glb", "out.glb"),
                              ("level.vtp", "level_")):

@@ -52,6 +52,20 @@ double DistanceToEdges(vtkPolyData* contours, const double p[3])
 
 } // namespace
 
+// LevelSimplification, which is for meshes, changes nothing.
+TEST(ContourCarver, DoesNotSimplify)
+{
+  const auto carver = Carve<vtkContourCarver>(Medley());
+  vtkNew<vtkContourCarver> other;
+  other->SetLevelSimplification(vtkContourCarver::ENCLOSING_COLLAPSE);
+  Carve(other, Medley());
+  ASSERT_EQ(CountLevels(other), CountLevels(carver));
+  for (int i = 0; i < CountLevels(carver); ++i)
+  {
+    EXPECT_EQ(Edges(GetLevel(other, i)), Edges(GetLevel(carver, i)));
+  }
+}
+
 // The first level of a U is its hull, the last the U itself.
 TEST(ContourCarver, GoesFromTheHullToTheInput)
 {

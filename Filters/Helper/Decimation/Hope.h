@@ -29,13 +29,14 @@ public:
   /** Counts an attempt to collapse an edge. Returns whether the attempt is worth its time. */
   bool GoesOn(double count)
   {
+    constexpr double few = 100.0;          // vertices, at which all attempts take hardly any time
     constexpr double sample = 500.0;       // attempts
     constexpr double mostPerVertex = 10.0; // attempts
     this->First = this->Attempts == 0.0 ? count : this->First;
     ++this->Attempts;
     const double collapsed = std::max(this->First - count, 1.0);
     const double needed = (count - this->Target) / collapsed * this->Attempts;
-    return count <= MostAboveTarget * this->Target || this->Attempts < sample ||
+    return count <= std::max(few, MostAboveTarget * this->Target) || this->Attempts < sample ||
       needed <= mostPerVertex * count;
   }
 

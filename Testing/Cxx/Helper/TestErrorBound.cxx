@@ -6,6 +6,7 @@
  */
 #include "Helper/Decimation/BoundSearch.h"
 #include "Helper/Decimation/ErrorBound.h"
+#include "Helper/Decimation/Hope.h"
 #include "Helper/Resolve/Clean.h"
 #include "Shapes.h"
 
@@ -150,4 +151,19 @@ TEST(BoundSearch, TakesNoStepsWithoutABound)
   BoundSearch search(HUGE_VAL, 0.0);
   EXPECT_EQ(search.First(), HUGE_VAL);
   EXPECT_EQ(search.Next(HUGE_VAL, 2.0), std::nullopt);
+}
+
+// A number far from reach is given up after many attempts, unless few vertices are left.
+TEST(Hope, RemainsWithFewVertices)
+{
+  constexpr int many = 100000;
+  Hope large(1000.0), small(30.0);
+  bool largeGoesOn = true, smallGoesOn = true;
+  for (int attempt = 0; attempt < many; ++attempt)
+  {
+    largeGoesOn = large.GoesOn(2000.0);
+    smallGoesOn = smallGoesOn && small.GoesOn(60.0);
+  }
+  EXPECT_FALSE(largeGoesOn);
+  EXPECT_TRUE(smallGoesOn);
 }

@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <vector>
 
@@ -208,6 +209,22 @@ TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
   filter->Update();
   EXPECT_EQ(messages.Errors.size(), 4u);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 642);
+}
+
+// A second run of the helper program, which only makes surfaces tighter, may fail.
+TEST(EnclosingDecimation, KeepsTheFirstRunIfTheSecondFails)
+{
+  const std::string mark = testing::TempDir() + "decimation-has-run";
+  std::remove(mark.c_str());
+  const auto failing = OtherHelper::Preceded("test ! -e " + mark + " || exit 1\ntouch " + mark);
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  filter->SetInputData(Sphere());
+  filter->SetTarget(100.0);
+  filter->Update();
+  EXPECT_EQ(std::remove(mark.c_str()), 0);
+  EXPECT_TRUE(messages.Errors.empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 100);
 }
 
 // An empty input gives empty outputs.

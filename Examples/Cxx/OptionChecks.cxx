@@ -96,8 +96,7 @@ std::string CheckContours(const Options& options)
 {
   if (options.Contours && options.Simplifies())
   {
-    return "contours cannot be simplified: --simplify, and --vertices beside other targets, are "
-           "for "
+    return "contours cannot be simplified: --simplify and --vertices beside other targets are for "
            "meshes";
   }
   return options.Contours && !options.Output.empty() &&

@@ -79,7 +79,7 @@ public:
   std::string Run();
 
 private:
-  bool Reach(std::size_t target);
+  bool Reach(std::size_t i);
   bool ReachWithinBound(double target, bool isGreatestBound);
   void BeginToMeasure();
   void FinishMeasuring();
@@ -212,9 +212,10 @@ void TargetSeries::FinishMeasuring()
   {
     DecimatedSurface& result = this->Results.back();
     result.Error = this->Error.get();
-    result.Reached = this->IsByError()
-      ? result.Error <= this->Options.Targets[this->Results.size() - 1]
-      : result.Reached;
+    if (this->IsByError())
+    {
+      result.Reached = result.Error <= this->Options.Targets[this->Results.size() - 1];
+    }
   }
 }
 

@@ -256,9 +256,8 @@ PiercedMesh::PartsOfCells PiercedMesh::Collect(const std::vector<Cell>& cells) c
       }
     }
   }
-  const auto sort = [](auto& list) { SortUnique(list); };
-  sort(parts.OnFaces);
-  sort(parts.Others);
+  SortUnique(parts.OnFaces);
+  SortUnique(parts.Others);
   return parts;
 }
 

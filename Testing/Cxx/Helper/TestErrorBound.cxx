@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The bound of the distance of faces that collapses make, and the search for the least one that
- * leads to a number of vertices.
+ * The bound of the distance of faces that collapses make, the search for the least one that leads
+ * to a number of vertices, and when a number is given up.
  */
 #include "Helper/Decimation/BoundSearch.h"
 #include "Helper/Decimation/ErrorBound.h"

@@ -2,7 +2,6 @@
 #include "Helper/Decimation/Decimator.h"
 
 #include "Core/Mesh/Vector.h"
-#include "Core/Protocol/Protocol.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -191,10 +190,8 @@ Slide& Decimator::GetSlide(SurfaceMesh::Edge_index edge, const Point& start)
 /** Pushes an edge again if collapsing it into w costs more than the limit. */
 bool Decimator::Defer(const Attempt& attempt, const Point& w)
 {
-  const bool measures =
-    !this->Nested && this->Surface.number_of_vertices() <= DecimationOptions::ManyVertices;
-  const double cost =
-    measures ? this->Errors.CostOf(attempt.Around, attempt.Error, w) : attempt.Error.At(w);
+  const double cost = this->FitsClosely() ? this->Errors.CostOf(attempt.Around, attempt.Error, w)
+                                          : attempt.Error.At(w);
   if (cost <= attempt.Limit)
   {
     return false;
@@ -322,6 +319,10 @@ void Decimator::Collapse(const Attempt& attempt, const Point& w)
   this->Errors.Merge(vertex, removed);
   this->Collisions.Update(attempt.Around);
   this->PushAround(vertex);
+  if (this->FitsClosely())
+  {
+    this->FlipAround(vertex);
+  }
 }
 
 /**
@@ -343,16 +344,22 @@ void Decimator::PushAround(Vertex vertex)
       {
         continue;
       }
-      this->Slides.erase(this->Surface.edge(edge));
-      if (this->Queue.Contains(this->Surface.edge(edge)))
-      {
-        this->Queue.DropPosition(this->Surface.edge(edge));
-      }
-      else
-      {
-        this->PushBound(edge);
-      }
+      this->Refresh(edge);
     }
+  }
+}
+
+/** Takes over that an edge's star has changed, but not its error. */
+void Decimator::Refresh(HalfEdge edge)
+{
+  this->Slides.erase(this->Surface.edge(edge));
+  if (this->Queue.Contains(this->Surface.edge(edge)))
+  {
+    this->Queue.DropPosition(this->Surface.edge(edge));
+  }
+  else
+  {
+    this->PushBound(edge);
   }
 }
 

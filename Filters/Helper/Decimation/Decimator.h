@@ -7,6 +7,7 @@
 #define carving_Decimator_h
 
 #include "Core/Mesh/FaceDistance.h"
+#include "Core/Protocol/Protocol.h"
 #include "Helper/Decimation/ChainRecorder.h"
 #include "Helper/Decimation/CollapseQueue.h"
 #include "Helper/Decimation/CollisionSearch.h"
@@ -30,8 +31,9 @@ namespace carving::helper
  *
  * The new vertex lies on the outer side of all faces around its edge, so that the surface after the
  * collapse encloses the surface before ("progressive hull", Sander et al., "Silhouette clipping",
- * 2000). Then, unless surfaces have to be nested, it slides inward until its faces touch M. No
- * collapse changes topology or makes the surface cross itself.
+ * 2000). Then, unless surfaces have to be nested, it slides inward until its faces touch M, and
+ * edges around it are flipped inward. None of this changes topology or makes the surface cross
+ * itself.
  */
 class Decimator
 {
@@ -110,6 +112,12 @@ private:
     double Limit = 0.0; ///< of the cost: the least of all other edges
   };
 
+  /** Whether the surface may shrink, and is small enough to take time for a closer fit. */
+  bool FitsClosely() const
+  {
+    return !this->Nested && this->Surface.number_of_vertices() <= DecimationOptions::ManyVertices;
+  }
+
   void PushBound(HalfEdge edge);
   /** Records that edges may collapse now that could not before. */
   void AllowRefill()
@@ -131,7 +139,11 @@ private:
   void Collapse(const Attempt& attempt, const Point& w);
   Slide& GetSlide(SurfaceMesh::Edge_index edge, const Point& start);
   void MoveInward(Vertex vertex);
+  void FlipAround(Vertex vertex);
+  bool MayFlip(HalfEdge edge) const;
+  void Flip(HalfEdge edge, const Star& star);
   void PushAround(Vertex vertex);
+  void Refresh(HalfEdge edge);
 
   SurfaceMesh Surface;
   ChainRecorder History;

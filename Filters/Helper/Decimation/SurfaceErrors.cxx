@@ -69,7 +69,14 @@ double SurfaceErrors::CostOf(const Star& star, const LocalError& error, const Po
   const double weight = AreasPerVertex * this->Area / this->Surface.number_of_vertices();
   const double least = error.At(w);
   // Distances that do not count need not be found; the factor makes up for roundings.
-  double farthest = 0.999 * std::sqrt(std::max(least, 0.0) / weight);
+  const double farthest =
+    this->FindFarthest(star, w, 0.999 * std::sqrt(std::max(least, 0.0) / weight));
+  return std::max(least, weight * farthest * farthest);
+}
+
+double SurfaceErrors::FindFarthest(const Star& star, const Point& w, double atLeast) const
+{
+  double farthest = atLeast;
   int nearby = -1;
   const auto add = [&](const Point& p)
   {
@@ -82,7 +89,7 @@ double SurfaceErrors::CostOf(const Star& star, const LocalError& error, const Po
   {
     add((a + b + w) / 3.0);
   }
-  return std::max(least, weight * farthest * farthest);
+  return farthest;
 }
 
 } // namespace carving::helper

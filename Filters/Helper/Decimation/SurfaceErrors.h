@@ -38,6 +38,12 @@ public:
    */
   double CostOf(const Star& star, const LocalError& error, const Point& w) const;
 
+  /**
+   * The largest distance of faces around w from the surface as given, but no less than `atLeast`:
+   * that of w and of the faces' centroids.
+   */
+  double FindFarthest(const Star& star, const Point& w, double atLeast) const;
+
   /** Lets a vertex stand for the faces of a removed one, too. */
   void Merge(Vertex remaining, Vertex removed)
   {

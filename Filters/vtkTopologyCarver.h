@@ -159,7 +159,7 @@ public:
 
   /**
    * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are
-   * equal have been merged. The helper program does the work. Returns -1 after an error, which is
+   * equal have been merged; at most 10 million. The helper program does the work. Returns -1 after an error, which is
    * reported, such as that no triangle has an area. The properties, inputs and outputs of the
    * filter play no part.
    */

@@ -101,14 +101,14 @@ fetch() {
   say "Fetching meshes from Debian's package $1"
   rm -rf "$target"
   mkdir -p "$target"
+  # `set -e` has no effect on the left of `||`.
   (
-    cd "$target"
+    cd "$target" &&
     # By default, apt run by root downloads as another user, who may not write to this folder.
-    apt-get -qq -o APT::Sandbox::User=root download "$1" || {
-      [ "$(id -u)" -eq 0 ] && apt-get update -qq &&
-        apt-get -qq -o APT::Sandbox::User=root download "$1"
-    }
-    dpkg-deb -x ./*.deb .
+    { apt-get -qq -o APT::Sandbox::User=root download "$1" ||
+      { [ "$(id -u)" -eq 0 ] && apt-get update -qq &&
+        apt-get -qq -o APT::Sandbox::User=root download "$1"; }; } &&
+    dpkg-deb -x ./*.deb . &&
     rm ./*.deb
   ) || die "The package $1, which contains the meshes, could not be fetched."
   touch "$target/.complete"

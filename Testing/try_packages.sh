@@ -24,7 +24,7 @@ cd "$build_root/levels"
 say "Carving with the program"
 carve "$mesh" -o levels.ply
 # The first level is the hull, of which Euler's formula holds: with V vertices, 2 V - 4 triangles.
-awk '$1 == "0" { found = 1; if ($4 != 2 * $3 - 4) exit 1 } END { exit !found }' < <(carve "$mesh" | tr -d ,) ||
+awk '$1 == "0" { found = $4 == 2 * $3 - 4 } END { exit !found }' < <(carve "$mesh" | tr -d ,) ||
   die "Level 0 is not a convex hull."
 
 say "Completing and reading the manual page"

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <new>
 
 // A symbol by which the dynamic linker finds this library.
 extern "C" VTKTOPOLOGYCARVING_EXPORT void TopologyCarvingLibraryAnchor()
@@ -194,12 +195,21 @@ std::string WriteJob(const carving::Job& job, const TemporaryFile& file)
 }
 
 /** Reads the reply. Returns an empty string, or an error. */
-std::string ReadReply(
-  const TemporaryFile& file, const std::string& program, int threads, carving::Reply& reply)
+std::string ReadReply(const TemporaryFile& file, const std::string& program,
+  const carving::Sources& sources, int threads, carving::Reply& reply)
 {
   std::string error;
-  file.Read(
-    [&](const char* data, std::size_t size) { error = carving::Read(data, size, reply, threads); });
+  try
+  {
+    file.Read([&](const char* data, std::size_t size)
+      { error = carving::Read(data, size, reply, threads); });
+    error = error.empty() ? carving::FindForeignSource(reply, sources) : error;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "There is not enough memory for the reply of " + program +
+      ". Use a smaller mesh, or a machine with more memory.";
+  }
   return error.empty() ? reply.Error
                        : "The reply of " + program + " cannot be used: " + error +
       ". Make sure that it was built together with this library.";
@@ -224,6 +234,7 @@ public:
   std::string Start(const carving::Job& job)
   {
     this->Threads = job.Processes;
+    this->Sources = carving::CountSources(job);
     const std::string error = this->Job.IsOpen() && this->Reply.IsOpen()
       ? WriteJob(job, this->Job)
       : "No file could be opened in " + TemporaryFile::GetPlace() + ": " + std::strerror(errno);
@@ -258,13 +269,15 @@ public:
       }
     }
     error = DescribeEnd(this->Process.get(), this->Words);
-    error = error.empty() ? ReadReply(this->Reply, this->Path, this->Threads, reply) : error;
+    error = error.empty() ? ReadReply(this->Reply, this->Path, this->Sources, this->Threads, reply)
+                          : error;
     return error.empty() ? Outcome::Success : Outcome::Failure;
   }
 
 private:
   const std::string Path;
   int Threads = 1;
+  carving::Sources Sources;
   Listener Words;
   const std::unique_ptr<vtksysProcess, void (*)(vtksysProcess*)> Process{ vtksysProcess_New(),
     vtksysProcess_Delete };

@@ -45,16 +45,20 @@ void TemporaryFile::Read(const std::function<void(const char*, std::size_t)>& re
   struct stat status = {};
   fstat(this->Opened->Descriptor, &status);
   const std::size_t size = static_cast<std::size_t>(status.st_size);
-  void* data = size > 0
-    ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, this->Opened->Descriptor, 0)
-    : MAP_FAILED;
-  if (data == MAP_FAILED)
+  if (size == 0)
   {
     read("", 0);
     return;
   }
+  void* data =
+    mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, this->Opened->Descriptor, 0);
+  if (data == MAP_FAILED)
+  {
+    throw std::bad_alloc();
+  }
+  const auto unmap = [size](void* mapped) { munmap(mapped, size); };
+  const std::unique_ptr<void, decltype(unmap)> guard(data, unmap);
   read(static_cast<const char*>(data), size);
-  munmap(data, size);
 }
 
 std::string TemporaryFile::GetPlace()

@@ -2,7 +2,7 @@
 /**
  * @file
  * Fuzz target: the messages between a host and the helper program. An accepted message is written
- * back with equal bytes, and an accepted reply can be carved.
+ * back with equal bytes, an accepted reply can be carved, and its decimated surfaces exist.
  */
 #include "Carving.h"
 #include "Core/Carving/Carver.h"
@@ -74,6 +74,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       {
         Carve(settings, reply.Result);
         Carve(settings, reply.Plane);
+        for (const DecimatedSurface& surface : reply.Decimation.Surfaces)
+        {
+          ExtractSurface(reply.Decimation.Chain, surface.Collapses);
+        }
       }
       break;
     }

@@ -20,7 +20,7 @@ PATIENCE = float(os.environ["PATIENCE"])  # seconds
 HELPER = """#!/bin/sh
 [ -e "{folder}/pid" ] && exec "{helper}"
 echo $$ > "{folder}/new" && mv "{folder}/new" "{folder}/pid"
-echo '@progress 3 0.1' >&2
+echo '@progress 3 1000' >&2
 exec sleep 100000
 """
 

@@ -14,9 +14,6 @@
 
 namespace carving
 {
-namespace
-{
-
 bool AreFinite(const std::vector<Point>& points)
 {
   bool finite = true;
@@ -26,6 +23,9 @@ bool AreFinite(const std::vector<Point>& points)
   }
   return finite;
 }
+
+namespace
+{
 
 /**
  * A signed multiplicity is a sum of as many signs as the multiplicity. The sum of all must not

@@ -41,6 +41,9 @@ inline bool IndicesWithin(const std::vector<int>& indices, int first, std::size_
   return within;
 }
 
+/** Whether no coordinate is infinite or NaN. */
+bool AreFinite(const std::vector<Point>& points);
+
 /** Whether all corners of all cells or facets differ from each other. */
 template <class Tuples>
 bool CornersDiffer(const Tuples& tuples)

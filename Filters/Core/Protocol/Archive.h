@@ -48,7 +48,7 @@ private:
   std::ostream& Out;
 };
 
-/** Reads what an ArchiveWriter wrote, never past the end. After a failure, values are empty. */
+/** Reads what an ArchiveWriter wrote, never past the end. After a failure, arrays are empty. */
 class ArchiveReader
 {
 public:

@@ -5,6 +5,7 @@
 #include "Core/Protocol/Archive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ostream>
 
@@ -141,8 +142,15 @@ std::string FindMistake(const Decimation& decimation)
   {
     return "a decimated surface has indices out of range";
   }
+  if (!AreFinite(decimation.Points))
+  {
+    return "a decimated surface has a coordinate that is not finite";
+  }
   return FindMistake(decimation.Chain, decimation.Points.size());
 }
+
+/** Fractions of a stage are integers in text: how a decimal point is read depends on the locale. */
+constexpr double ProgressParts = 10000.0;
 
 } // namespace
 
@@ -244,25 +252,47 @@ std::string Read(const char* data, std::size_t size, Reply& reply, int threads)
   return mistake.empty() ? FindMistake(reply.Plane) : mistake;
 }
 
+Sources CountSources(const Job& job)
+{
+  const bool isOfSurface = job.Kind == JobKind::Decimate && !job.Surface.Triangles.empty();
+  const TriangleMesh& mesh = isOfSurface ? job.Surface : job.Mesh;
+  return { mesh.Points.size() + job.Contours.Points.size(),
+    mesh.Triangles.size() + job.Contours.Edges.size() };
+}
+
+std::string FindForeignSource(const Reply& reply, const Sources& sources)
+{
+  const auto within = [&sources](const auto& input)
+  {
+    return IndicesWithin(input.PointSources, -1, sources.Points) &&
+      IndicesWithin(input.FacetSources, -1, sources.Facets);
+  };
+  const std::vector<ChainFace>& faces = reply.Decimation.Chain.Faces;
+  const bool areWithin = within(reply.Result.Surface) && within(reply.Result.Unresolved) &&
+    within(reply.Plane.Surface) &&
+    IndicesWithin(reply.Decimation.PointSources, -1, sources.Points) &&
+    std::all_of(faces.begin(), faces.end(),
+      [&sources](const ChainFace& face)
+      { return face.Source >= 0 && static_cast<std::size_t>(face.Source) < sources.Facets; });
+  return areWithin ? "" : "it refers to parts of the mesh that do not exist";
+}
+
 std::string ProgressLine(const WorkProgress& progress)
 {
-  char line[64];
-  std::snprintf(
-    line, sizeof(line), "@progress %d %.4f ", static_cast<int>(progress.Stage), progress.Fraction);
-  return line + progress.Attempt + '\n';
+  return "@progress " + std::to_string(static_cast<int>(progress.Stage)) + ' ' +
+    std::to_string(std::lround(ProgressParts * progress.Fraction)) + ' ' + progress.Attempt + '\n';
 }
 
 bool ParseProgress(const std::string& line, WorkProgress& progress)
 {
-  int stage = -1, length = 0;
-  double fraction = 0.0;
-  if (std::sscanf(line.c_str(), "@progress %d %lf%n", &stage, &fraction, &length) != 2 ||
-    stage < 0 || stage >= NumberOfStages)
+  int stage = -1, parts = 0, length = 0;
+  if (std::sscanf(line.c_str(), "@progress %d %d%n", &stage, &parts, &length) != 2 || stage < 0 ||
+    stage >= NumberOfStages)
   {
     return false;
   }
   const std::size_t attempt = line.find_first_not_of(' ', length);
-  progress = { static_cast<Stage>(stage), fraction,
+  progress = { static_cast<Stage>(stage), parts / ProgressParts,
     attempt == std::string::npos ? "" : line.substr(attempt) };
   return true;
 }

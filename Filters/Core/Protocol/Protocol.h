@@ -3,8 +3,8 @@
  * @file
  * The messages between a host and the helper program.
  *
- * The host writes a Job to the helper's standard input and reads a Reply from its standard output,
- * both binary. On standard error, the helper writes a line per progress report (ProgressLine). Any
+ * The host writes a Job and reads a Reply, both binary: the helper's standard input and output on
+ * Linux, files elsewhere. On standard error, the helper writes a line per progress report (ProgressLine). Any
  * other line there is a diagnostic for the user.
  */
 #ifndef carving_Protocol_h
@@ -230,6 +230,19 @@ void Write(std::ostream& out, const Reply& reply);
  */
 std::string Read(const char* data, std::size_t size, Job& job);
 std::string Read(const char* data, std::size_t size, Reply& reply, int threads = 1);
+
+/** The numbers of points and facets to which the sources in a reply refer. */
+struct Sources
+{
+  std::size_t Points = 0;
+  std::size_t Facets = 0;
+};
+
+/** Of the mesh or the contours of a job: one of both is empty. */
+Sources CountSources(const Job& job);
+
+/** Returns an empty string, or that an accepted reply refers to what its job does not have. */
+std::string FindForeignSource(const Reply& reply, const Sources& sources);
 
 /** The line that reports progress, with its end, and the inverse, of a line without its end. */
 std::string ProgressLine(const WorkProgress& progress);

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/Fetch.h"
 #include "Core/Mesh/ForEach.h"
+#include "Core/Solid/RayCrossings.h"
 #include "Core/Solid/RegionGraph.h"
 #include "Core/Solid/RegionWindings.h"
 #include "Core/Solid/Winding.h"
@@ -123,12 +124,13 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 void ClassifyByRays(const Tetrahedralization& mesh, int threads, Classification& result)
 {
   const std::vector<int> largestCells = FindLargestCells(mesh, result);
+  const RayCrossings crossings(mesh.Unresolved);
   ForEach(threads, static_cast<int>(result.Regions.size()),
     [&](int r)
     {
       Region& region = result.Regions[r];
       if (region.Kind == RegionKind::Void &&
-        CountCrossings(mesh.Unresolved, mesh.Centroid(largestCells[r])) % 2 != 0)
+        crossings.Count(mesh.Centroid(largestCells[r])) % 2 != 0)
       {
         region.Kind = RegionKind::Solid;
       }

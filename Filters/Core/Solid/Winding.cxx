@@ -98,29 +98,6 @@ double WindingNumber(const ResolvedInput<2>& contours, const Point& point)
   return angles / (2.0 * std::acos(-1.0));
 }
 
-int CountCrossings(const ResolvedMesh& mesh, const Point& point)
-{
-  const Point direction = { 0.5377, 0.2913, 0.7912 };
-  int count = 0;
-  for (std::size_t t = 0; t < mesh.Facets.size(); ++t)
-  {
-    const Triangle& corner = mesh.Facets[t];
-    const Point a = mesh.Points[corner[0]] - point;
-    const Point b = mesh.Points[corner[1]] - point;
-    const Point c = mesh.Points[corner[2]] - point;
-    // The ray crosses the triangle if all edges pass it on the same side and the triangle lies
-    // ahead.
-    const double ab = Dot(direction, Cross(a, b)), bc = Dot(direction, Cross(b, c)),
-                 ca = Dot(direction, Cross(c, a));
-    const bool within = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
-    if (within && (Dot(a, Cross(b, c)) > 0) == (ab > 0))
-    {
-      count += mesh.Multiplicities[t];
-    }
-  }
-  return count;
-}
-
 template <int D>
 std::vector<char> FindClosedParts(const ResolvedInput<D>& mesh)
 {

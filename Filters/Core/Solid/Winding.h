@@ -27,13 +27,6 @@ double WindingNumber(const ResolvedMesh& mesh, const Point& point);
 double WindingNumber(const ResolvedInput<2>& contours, const Point& point);
 
 /**
- * The number of triangles of M that a ray from a point crosses, counted with their multiplicities.
- * No model is likely to be aligned with the ray's direction. In floating point: a triangle that
- * contains a part of the ray may or may not be counted.
- */
-int CountCrossings(const ResolvedMesh& mesh, const Point& point);
-
-/**
  * Whether each facet of M belongs to a closed part. A part consists of the facets that are joined
  * across edges (in the plane, vertices), and is closed if they, counted with their signed
  * multiplicities, traverse every edge (vertex) as often in one direction as in the other. The

@@ -88,7 +88,9 @@ void WatchProcessorTime()
         {
           EndChild(ExitTimeIsUp);
         }
-        std::this_thread::sleep_for(std::chrono::duration<double>(std::max(rest, 1e-2)));
+        // Threads use as much processor time at once as there are processors.
+        const double least = rest / std::max(std::thread::hardware_concurrency(), 1u);
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::max(least, 1e-2)));
       }
     })
     .detach();

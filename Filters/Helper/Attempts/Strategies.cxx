@@ -118,9 +118,17 @@ bool StrategyRun::TryUntilEnclosed()
   {
     return true;
   }
-  return this->TryInChild("Delaunay, enclosing: ", "", LimitsOfEnclosing(this->TheJob),
-           { Task::Goal::Enclosing }, meanwhile) ||
-    isExact;
+  const auto enclose = [this](const std::function<bool()>& beside)
+  {
+    return this->TryInChild("Delaunay, enclosing: ", "", LimitsOfEnclosing(this->TheJob),
+      { Task::Goal::Enclosing }, beside);
+  };
+  if (enclose(meanwhile) || isExact)
+  {
+    return true;
+  }
+  // Beside the exact attempts, the memory of the machine may not have been enough.
+  return meanwhile && this->TheJob.MemoryLimit <= 0.0 && enclose({});
 }
 
 /** Whether the mesh may be enclosed on another processor while the exact attempts take long. */

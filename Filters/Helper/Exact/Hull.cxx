@@ -80,7 +80,7 @@ std::vector<Point> PointsAtBoundary(const Tetrahedralization& mesh)
 
 } // namespace
 
-bool FillHull(const Tetrahedralization& mesh)
+bool FillsHull(const Tetrahedralization& mesh)
 {
   const std::vector<Point>& points = mesh.Surface.Points;
   double sum = 0.0;

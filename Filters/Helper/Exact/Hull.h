@@ -12,7 +12,7 @@ namespace carving::helper
  * except for rounding. If not, tetrahedra are missing or overlap. The hull is that of all points
  * that are not surrounded by tetrahedra.
  */
-bool FillHull(const Tetrahedralization& mesh);
+bool FillsHull(const Tetrahedralization& mesh);
 
 } // namespace carving::helper
 

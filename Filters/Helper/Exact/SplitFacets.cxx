@@ -5,6 +5,7 @@
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/CoplanarTriangles.h"
+#include "Helper/Base/SortedEdge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +46,6 @@ double RoundingOf(const std::vector<Point>& points)
 {
   const auto [lower, upper] = BoxAround(points);
   return 1e-12 * (Length(lower) + Length(upper) + Length(upper - lower));
-}
-
-DirectedEdge SortedEdge(int a, int b)
-{
-  return { std::min(a, b), std::max(a, b) };
 }
 
 /** Whether a triangle has an edge in this direction. */

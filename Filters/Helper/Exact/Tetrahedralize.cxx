@@ -246,7 +246,7 @@ Ending Tetrahedralize(
     return { "TetGen made " + std::to_string(inverted) +
       " tetrahedra that are flat or inside out" };
   }
-  if (!FillHull(result))
+  if (!FillsHull(result))
   {
     return { "TetGen left gaps between the tetrahedra" };
   }

@@ -4,6 +4,7 @@
 #include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/PlaneTriangulation.h"
+#include "Helper/Base/SortedEdge.h"
 #include "Helper/Resolve/PlaneProjection.h"
 
 #include <boost/functional/hash.hpp>
@@ -21,13 +22,8 @@ namespace
 using Vertex = PlaneTriangulation::Vertex_handle;
 using Face = PlaneTriangulation::Face_handle;
 
-using Edge = std::pair<int, int>;
+using Edge = std::array<int, 2>;
 using EdgeHash = boost::hash<Edge>;
-
-Edge Undirected(int a, int b)
-{
-  return std::minmax(a, b);
-}
 
 /** The triangle with the greatest area: its plane is the one least in doubt. */
 int FindLargest(const ResolvedMesh& mesh, const std::vector<int>& triangles)
@@ -114,7 +110,7 @@ void Arrangement::InsertSegments()
   std::vector<std::pair<Edge, int>> sides;
   for (const Side& side : this->Group.Sides)
   {
-    sides.emplace_back(Undirected(side.From, side.To), side.Triangle);
+    sides.emplace_back(SortedEdge(side.From, side.To), side.Triangle);
   }
   std::sort(sides.begin(), sides.end());
   for (std::size_t i = 0; i < sides.size(); ++i)
@@ -122,15 +118,15 @@ void Arrangement::InsertSegments()
     const auto& [edge, triangle] = sides[i];
     const bool known = i > 0 && sides[i - 1].first == edge;
     this->Sides.emplace_back(triangle,
-      known ? this->Sides.back().second
-            : this->Triangulation.insert_constraint(
-                this->Vertices[edge.first], this->Vertices[edge.second]));
+      known
+        ? this->Sides.back().second
+        : this->Triangulation.insert_constraint(this->Vertices[edge[0]], this->Vertices[edge[1]]));
   }
   std::unordered_set<Edge, EdgeHash> known;
   for (const auto& [from, to] : this->Group.Cuts)
   {
     const Vertex a = this->Vertices[from], b = this->Vertices[to];
-    if (a != b && known.insert(Undirected(a->info().Value, b->info().Value)).second)
+    if (a != b && known.insert(SortedEdge(a->info().Value, b->info().Value)).second)
     {
       this->Triangulation.insert_constraint(a, b);
     }
@@ -160,7 +156,7 @@ void Arrangement::FindBorders()
     auto vertex = this->Triangulation.vertices_in_constraint_begin(constraint);
     for (auto next = std::next(vertex); next != end; vertex = next++)
     {
-      this->Borders[Undirected((*vertex)->info().Value, (*next)->info().Value)].push_back(triangle);
+      this->Borders[SortedEdge((*vertex)->info().Value, (*next)->info().Value)].push_back(triangle);
     }
   }
 }
@@ -176,7 +172,7 @@ std::vector<int> Arrangement::CoverBeyond(
   if (face->is_constrained(i))
   {
     const auto found = this->Borders.find(
-      Undirected(face->vertex((i + 1) % 3)->info().Value, face->vertex((i + 2) % 3)->info().Value));
+      SortedEdge(face->vertex((i + 1) % 3)->info().Value, face->vertex((i + 2) % 3)->info().Value));
     if (found != this->Borders.end())
     {
       for (const int triangle : found->second)

@@ -3,6 +3,7 @@
 
 #include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
+#include "Helper/Base/SortedEdge.h"
 #include "Helper/Resolve/NearPairs.h"
 
 #include <algorithm>
@@ -12,11 +13,6 @@ namespace carving::helper
 {
 namespace
 {
-
-std::array<int, 2> EdgeBetween(int a, int b)
-{
-  return { std::min(a, b), std::max(a, b) };
-}
 
 /** The shares of the ways along two edges at which the edges are closest to each other. */
 struct Passing
@@ -45,13 +41,13 @@ EdgeChains::EdgeChains(ResolvedMesh& mesh, const EdgeList& segments, double tole
 {
   for (const auto& [a, b] : segments)
   {
-    this->Edges.push_back(EdgeBetween(a, b));
+    this->Edges.push_back(SortedEdge(a, b));
   }
   for (const Triangle& t : mesh.Facets)
   {
     for (int i = 0; i < 3; ++i)
     {
-      this->Edges.push_back(EdgeBetween(t[i], t[(i + 1) % 3]));
+      this->Edges.push_back(SortedEdge(t[i], t[(i + 1) % 3]));
     }
   }
   SortUnique(this->Edges);
@@ -63,7 +59,7 @@ EdgeChains::EdgeChains(ResolvedMesh& mesh, const EdgeList& segments, double tole
 int EdgeChains::Find(int a, int b) const
 {
   return static_cast<int>(
-    std::lower_bound(this->Edges.begin(), this->Edges.end(), EdgeBetween(a, b)) -
+    std::lower_bound(this->Edges.begin(), this->Edges.end(), SortedEdge(a, b)) -
     this->Edges.begin());
 }
 
@@ -90,10 +86,10 @@ EdgeList EdgeChains::GetParts() const
     int from = this->Edges[i][0];
     for (const int to : this->Inner[i])
     {
-      parts.push_back(EdgeBetween(from, to));
+      parts.push_back(SortedEdge(from, to));
       from = to;
     }
-    parts.push_back(EdgeBetween(from, this->Edges[i][1]));
+    parts.push_back(SortedEdge(from, this->Edges[i][1]));
   }
   SortUnique(parts);
   return parts;
@@ -191,7 +187,7 @@ void EdgeChains::Insert(const EdgeList& parts, std::vector<std::vector<Place>> p
     int from = this->Edges[i][0];
     const auto addUpTo = [&](int to)
     {
-      const auto part = std::lower_bound(parts.begin(), parts.end(), EdgeBetween(from, to));
+      const auto part = std::lower_bound(parts.begin(), parts.end(), SortedEdge(from, to));
       std::vector<Place> between = places[part - parts.begin()];
       if (to < from)
       {

@@ -24,10 +24,15 @@ Corners3 CornersOf(const std::vector<Point>& points, const Triangle& t)
   return { ToInexact(points[t[0]]), ToInexact(points[t[1]]), ToInexact(points[t[2]]) };
 }
 
+/** Ends CGAL's search, which goes on otherwise. */
+struct EnoughPairs
+{
+};
+
 } // namespace
 
 std::vector<std::pair<int, int>> FindIntersections(
-  const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+  const std::vector<Point>& points, const std::vector<Triangle>& triangles, std::size_t most)
 {
   std::vector<IndexedBox> boxes;
   boxes.reserve(triangles.size());
@@ -38,17 +43,27 @@ std::vector<std::pair<int, int>> FindIntersections(
     boxes.emplace_back(bounds, static_cast<int>(boxes.size()));
   }
   std::vector<std::pair<int, int>> pairs;
-  CGAL::box_self_intersection_d(
-    boxes.begin(), boxes.end(),
-    [&](const IndexedBox& a, const IndexedBox& b)
+  const auto add = [&](const IndexedBox& a, const IndexedBox& b)
+  {
+    if (TrianglesCross(
+          CornersOf(points, triangles[a.Index]), CornersOf(points, triangles[b.Index])))
     {
-      if (TrianglesCross(
-            CornersOf(points, triangles[a.Index]), CornersOf(points, triangles[b.Index])))
+      pairs.push_back(std::minmax(a.Index, b.Index));
+      if (pairs.size() >= most)
       {
-        pairs.push_back(std::minmax(a.Index, b.Index));
+        throw EnoughPairs();
       }
-    },
-    ScanSize, CGAL::Box_intersection_d::CLOSED);
+    }
+  };
+  try
+  {
+    CGAL::box_self_intersection_d(
+      boxes.begin(), boxes.end(), add, ScanSize, CGAL::Box_intersection_d::CLOSED);
+  }
+  catch (const EnoughPairs&)
+  {
+    // The list is as long as it may be.
+  }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

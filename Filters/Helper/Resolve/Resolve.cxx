@@ -125,10 +125,12 @@ std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
   // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer, hardly
   // any further round mends that, and each takes longer.
   constexpr int maximumRounds = 10;
-  if (static_cast<double>(pairs.size()) > maximumPairs &&
-    static_cast<double>(CountForLimit(mesh, pairs)) > maximumPairs)
+  const bool areAll = pairs.size() < MostIntersections;
+  if (!areAll ||
+    (static_cast<double>(pairs.size()) > maximumPairs &&
+      static_cast<double>(CountForLimit(mesh, pairs)) > maximumPairs))
   {
-    return std::to_string(pairs.size()) +
+    return (areAll ? "" : "at least ") + std::to_string(pairs.size()) +
       " pairs of triangles cross each other, too many to be resolved.";
   }
   std::size_t before = pairs.size();

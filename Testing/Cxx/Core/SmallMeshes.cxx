@@ -190,6 +190,7 @@ ResolvedMesh Resolved(const TriangleMesh& mesh)
   result.Points = mesh.Points;
   result.Facets = mesh.Triangles;
   result.SignedMultiplicities.assign(mesh.Triangles.size(), 1);
+  result.Multiplicities = result.SignedMultiplicities;
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -171,7 +172,30 @@ TEST(Protocol, RejectsWrongChains)
   EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Triangles = 5; }), "");
   EXPECT_NE(mistakeAfter([](Decimation& d) { d.Chain.Collapses = -1; }), "");
   EXPECT_NE(mistakeAfter([](Decimation& d) { d.PointSources.pop_back(); }), "");
+  EXPECT_NE(mistakeAfter([](Decimation& d) { d.Points[1][2] = NAN; }), "");
   EXPECT_NE(mistakeAfter([](Decimation& d) { d.Surfaces[0].Collapses = 2; }), "");
+}
+
+// A reply whose sources are not those of its job, such as that of another program, is told.
+TEST(Protocol, TellsSourcesThatDoNotExist)
+{
+  const auto mistakeAfter = [](const std::function<void(Reply&)>& change)
+  {
+    Job job;
+    job.Mesh.Points.resize(4);
+    job.Mesh.Triangles.resize(8);
+    Reply reply;
+    reply.Decimation = MakeReply().Decimation;
+    change(reply);
+    return FindForeignSource(reply, CountSources(job));
+  };
+  EXPECT_EQ(mistakeAfter([](Reply&) {}), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Decimation.PointSources[0] = 4; }), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Decimation.Chain.Faces[0].Source = 8; }), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Decimation.Chain.Faces[0].Source = -1; }), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Result.Surface.PointSources = { 4 }; }), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Result.Unresolved.FacetSources = { 8 }; }), "");
+  EXPECT_NE(mistakeAfter([](Reply& r) { r.Plane.Surface.FacetSources = { -2 }; }), "");
 }
 
 // A reply that reports an error holds just that.
@@ -325,5 +349,21 @@ TEST(Protocol, TellsProgressFromWords)
   }
   WorkProgress progress;
   EXPECT_FALSE(ParseProgress("Assertion failed", progress));
-  EXPECT_FALSE(ParseProgress("@progress 17 0.5", progress));
+  EXPECT_FALSE(ParseProgress("@progress 17 5000", progress));
+}
+
+// Progress is the same where the decimal point is a comma.
+TEST(Protocol, TellsProgressInEveryLocale)
+{
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  for (const char* name : { "de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "fr_FR" })
+  {
+    std::setlocale(LC_NUMERIC, name); // has no effect where the locale is not installed
+  }
+  WorkProgress progress;
+  EXPECT_TRUE(ParseProgress("@progress 3 2500 TetGen -pcY", progress));
+  EXPECT_EQ(progress.Fraction, 0.25);
+  EXPECT_EQ(progress.Attempt, "TetGen -pcY");
+  EXPECT_EQ(ProgressLine(progress), "@progress 3 2500 TetGen -pcY\n");
+  std::setlocale(LC_NUMERIC, before.c_str());
 }

@@ -91,7 +91,7 @@ TEST(Faults, RepeatsTheLastWordsOfACrashedHelper)
   ExpectErrorAndRecovery("Assertion failed: it hurts",
     OtherHelper::Script("echo 'Assertion failed: it hurts' >&2; kill -ABRT $$"));
   ExpectErrorAndRecovery(
-    "resolve", OtherHelper::Script("echo '@progress 1 0.5' >&2; kill -SEGV $$"));
+    "resolve", OtherHelper::Script("echo '@progress 1 5000' >&2; kill -SEGV $$"));
 }
 
 // A helper program that exits with another code than 0 is an error with the code.

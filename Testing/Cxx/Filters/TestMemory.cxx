@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "AllocationLimit.h"
 #include "FilterTesting.h"
+#include "Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -64,5 +66,19 @@ TEST(Memory, IsNeededForDistinctPoints)
   }
   vtkNew<vtkTopologyCarver> carver;
   Carve(carver, ToPolyData(repeated));
+  EXPECT_GT(CountLevels(carver), 0);
+}
+
+// Where there is no memory for the result, that is an error, and the program lives.
+TEST(Memory, MayBeTooShortForTheReply)
+{
+  vtkNew<vtkTopologyCarver> carver;
+  const vtkSmartPointer<vtkPolyData> sphere = ToPolyData(models::Sphere(4));
+  {
+    const AllocationLimit limit(100000); // bytes: enough for the mesh, not for its tetrahedra
+    EXPECT_TRUE(Has(CarveWithError(carver, sphere), "There is not enough memory for the reply"));
+  }
+  carver->Modified();
+  Carve(carver, sphere);
   EXPECT_GT(CountLevels(carver), 0);
 }

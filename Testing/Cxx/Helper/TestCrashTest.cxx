@@ -17,6 +17,15 @@ TEST(CrashTest, TellsHowWorkEnds)
   EXPECT_TRUE(Crashes([] { throw 1; }));
 }
 
+// The same is told where SIGCHLD is ignored, as some programs have it for those that they start.
+TEST(CrashTest, TellsHowWorkEndsWithoutSignals)
+{
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  EXPECT_FALSE(Crashes([] {}));
+  EXPECT_TRUE(Crashes([] { std::abort(); }));
+  std::signal(SIGCHLD, before);
+}
+
 // What the work changes, it changes in the copy alone.
 TEST(CrashTest, LeavesNoTrace)
 {

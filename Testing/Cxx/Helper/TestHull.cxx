@@ -13,13 +13,13 @@ TEST(Hull, IsFilledByAllTetrahedra)
 {
   Tetrahedralization mesh =
     GetReply(models::Joined(models::Sphere(3), models::Box({ 2, 0, 0 }, { 3, 1, 1 }))).Result;
-  EXPECT_TRUE(FillHull(mesh));
+  EXPECT_TRUE(FillsHull(mesh));
   const auto last = mesh.Cells.back();
   const auto neighborsOfLast = mesh.Neighbors.back();
   mesh.Cells.pop_back();
   mesh.Neighbors.pop_back();
-  EXPECT_FALSE(FillHull(mesh));
+  EXPECT_FALSE(FillsHull(mesh));
   mesh.Cells.insert(mesh.Cells.end(), 2, last);
   mesh.Neighbors.insert(mesh.Neighbors.end(), 2, neighborsOfLast);
-  EXPECT_FALSE(FillHull(mesh));
+  EXPECT_FALSE(FillsHull(mesh));
 }

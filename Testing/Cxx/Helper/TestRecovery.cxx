@@ -53,7 +53,7 @@ void ExpectExact(const Tetrahedralization& mesh)
       }
     }
   }
-  EXPECT_TRUE(FillHull(mesh));
+  EXPECT_TRUE(FillsHull(mesh));
   EXPECT_EQ(std::count(found.begin(), found.end(), 0), 0);
 }
 

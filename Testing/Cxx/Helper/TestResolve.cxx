@@ -67,6 +67,18 @@ std::vector<std::pair<int, int>> Intersections(const TriangleMesh& mesh)
 
 } // namespace
 
+// The search ends once so many pairs have been found.
+TEST(FindIntersections, EndsWithTheWantedNumber)
+{
+  const TriangleMesh mesh =
+    models::Joined(models::Sphere(2), models::Moved(models::Sphere(2), { 0.5, 0.0, 0.0 }));
+  const auto all = Intersections(mesh);
+  ASSERT_GT(all.size(), 10u);
+  const auto some = FindIntersections(mesh.Points, mesh.Triangles, 10);
+  EXPECT_EQ(some.size(), 10u);
+  EXPECT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()));
+}
+
 // Sharing a corner or an edge is no intersection.
 TEST(FindIntersections, PassesOverNeighbors)
 {

@@ -63,6 +63,22 @@ void FillSurface(const carving::Decimation& decimation, const carving::Decimated
   AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, result.Error);
 }
 
+carving::Job JobFor(int type, std::vector<double> targets)
+{
+  carving::Job job;
+  job.Kind = carving::JobKind::Decimate;
+  job.Processes = vtkSMPTools::GetEstimatedNumberOfThreads();
+  job.Decimation.Type = static_cast<carving::DecimationTarget>(type);
+  // From the finest to the coarsest.
+  std::sort(targets.begin(), targets.end());
+  if (job.Decimation.Type != carving::DecimationTarget::ErrorBound)
+  {
+    std::reverse(targets.begin(), targets.end());
+  }
+  job.Decimation.Targets = std::move(targets);
+  return job;
+}
+
 bool IsTarget(double target)
 {
   return std::isfinite(target) && target >= 0.0;
@@ -142,19 +158,9 @@ int vtkEnclosingDecimation::RequestData(
     }
     return error.empty();
   }
-  carving::Job job;
-  job.Kind = carving::JobKind::Decimate;
-  job.Processes = vtkSMPTools::GetEstimatedNumberOfThreads();
+  carving::Job job = JobFor(this->TargetType, this->AllTargets);
   job.Mesh = std::move(gathered.Mesh);
-  job.Decimation.Type = static_cast<carving::DecimationTarget>(this->TargetType);
   job.Decimation.Nested = this->Nested;
-  // From the finest to the coarsest.
-  job.Decimation.Targets = this->AllTargets;
-  std::sort(job.Decimation.Targets.begin(), job.Decimation.Targets.end());
-  if (this->TargetType != ERROR_BOUND)
-  {
-    std::reverse(job.Decimation.Targets.begin(), job.Decimation.Targets.end());
-  }
   RepeatedDecimation decimation;
   const HelperProcess::Outcome outcome = decimation.Run(
     job,

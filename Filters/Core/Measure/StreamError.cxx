@@ -43,74 +43,111 @@ std::vector<FaceLife<D>> CollectFaces(const StoredStream<D>& stream, bool confor
   return faces;
 }
 
+/** The farthest of the faces that are alive, whose distances are refined only as far as need be. */
+template <int D>
+class FarthestFace
+{
+public:
+  FarthestFace(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, bool conforming)
+    : Points(stream.Mesh.Surface.Points)
+    , Faces(CollectFaces(stream, conforming))
+    , Distance(mesh)
+    , VertexDistances(Points.size(), -1.0)
+  {
+  }
+
+  /** Adds the faces of a step. The steps ascend. */
+  void AddFaces(int step)
+  {
+    for (; this->Next < this->Faces.size() && this->Faces[this->Next].Birth <= step; ++this->Next)
+    {
+      this->Candidates.push(
+        { this->BoundBySize(this->Faces[this->Next]), static_cast<int>(this->Next), 0 });
+    }
+  }
+
+  /**
+   * Takes one step towards the distance of the farthest face. Returns whether it is known: then
+   * `distance` is set, to 0 if there is no face. `work` grows by the number of queries.
+   */
+  bool Refine(int step, int& work, double& distance)
+  {
+    if (this->Candidates.empty())
+    {
+      distance = 0.0;
+      return true;
+    }
+    const FaceBound top = this->Candidates.top();
+    const FaceLife<D>& face = this->Faces[top.Face];
+    const bool isAlive = face.Death > step;
+    if (isAlive && top.Queries < 0)
+    {
+      distance = top.Upper;
+      return true;
+    }
+    this->Candidates.pop();
+    if (isAlive)
+    {
+      // The number of queries grows, so that faces which are not the farthest take few.
+      const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
+      work += queries;
+      const auto bound = this->Distance.Compute(CornersOf<D>(this->Points, face.Corners), queries);
+      this->Candidates.push(
+        { std::min(top.Upper, bound.Upper), top.Face, bound.Final ? -1 : queries });
+    }
+    return false;
+  }
+
+private:
+  double BoundBySize(const FaceLife<D>& face)
+  {
+    double farthest = 0.0;
+    for (const int vertex : face.Corners)
+    {
+      double& distance = this->VertexDistances[vertex];
+      if (distance < 0.0)
+      {
+        distance = this->Distance.OfPoint(this->Points[vertex]);
+      }
+      farthest = std::max(farthest, distance);
+    }
+    return farthest + BallRadius<D>(CornersOf<D>(this->Points, face.Corners));
+  }
+
+  const std::vector<Point>& Points;
+  const std::vector<FaceLife<D>> Faces;
+  const FaceDistance<D> Distance;
+  std::vector<double> VertexDistances; ///< or -1
+  std::priority_queue<FaceBound> Candidates;
+  std::size_t Next = 0;
+};
+
 } // namespace
 
 template <int D>
 bool ComputeErrors(const StoredStream<D>& stream, const ResolvedInput<D>& mesh, bool conforming,
   std::vector<double>& errors, const Progress& progress)
 {
-  const std::vector<Point>& points = stream.Mesh.Surface.Points;
-  const std::vector<FaceLife<D>> faces = CollectFaces(stream, conforming);
-  const FaceDistance<D> faceDistance(mesh);
-  std::vector<double> vertexDistances(points.size(), -1.0);
-  const auto boundBySize = [&](const FaceLife<D>& face)
-  {
-    double farthest = 0.0;
-    for (const int vertex : face.Corners)
-    {
-      double& distance = vertexDistances[vertex];
-      if (distance < 0.0)
-      {
-        distance = faceDistance.OfPoint(points[vertex]);
-      }
-      farthest = std::max(farthest, distance);
-    }
-    return farthest + BallRadius<D>(CornersOf<D>(points, face.Corners));
-  };
-
+  FarthestFace<D> farthest(stream, mesh, conforming);
+  errors.assign(stream.Order.StepPriority.size(), 0.0);
   constexpr int mostWork = 1024; // between two calls of `progress`
   int work = 0;
-  const auto goOn = [&](int step)
-  {
-    if (work < mostWork)
-    {
-      return true;
-    }
-    work = 0;
-    return GoOn(progress, static_cast<double>(step) / errors.size());
-  };
-  std::priority_queue<FaceBound> candidates;
-  errors.assign(stream.Order.StepPriority.size(), 0.0);
-  std::size_t next = 0;
   for (int step = 0; step < static_cast<int>(errors.size()); ++step)
   {
     ++work;
-    for (; next < faces.size() && faces[next].Birth <= step; ++next)
+    farthest.AddFaces(step);
+    bool isKnown = false;
+    while (!isKnown)
     {
-      candidates.push({ boundBySize(faces[next]), static_cast<int>(next), 0 });
-    }
-    while (!candidates.empty())
-    {
-      if (!goOn(step))
+      if (work >= mostWork)
       {
-        return false;
+        work = 0;
+        if (!GoOn(progress, static_cast<double>(step) / errors.size()))
+        {
+          return false;
+        }
       }
-      const FaceBound top = candidates.top();
-      const FaceLife<D>& face = faces[top.Face];
-      if (face.Death > step && top.Queries < 0)
-      {
-        errors[step] = top.Upper;
-        break;
-      }
-      candidates.pop();
-      if (face.Death > step)
-      {
-        // The number of queries grows, so that faces which are not the farthest take few.
-        const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
-        work += queries;
-        const auto bound = faceDistance.Compute(CornersOf<D>(points, face.Corners), queries);
-        candidates.push({ std::min(top.Upper, bound.Upper), top.Face, bound.Final ? -1 : queries });
-      }
+      isKnown = farthest.Refine(step, work, errors[step]);
     }
   }
   return GoOn(progress, 1.0);

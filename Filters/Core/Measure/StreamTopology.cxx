@@ -92,24 +92,14 @@ void JoinAroundSolid(
   }
 }
 
+/**
+ * The carved cells that join components, by the step that carves them. `components` are those of the
+ * last approximation: a cell within one of them never changes the number.
+ */
 template <int D>
-std::vector<int> CountComponents(
-  const Decomposition<D>& mesh, const Classification& regions, const Stream& stream)
+Buckets<int> FindJoiningCells(
+  const Decomposition<D>& mesh, const Stream& stream, GrowingComponents& components)
 {
-  GrowingComponents components(mesh.Surface.Points.size());
-  for (const auto& facet : mesh.Surface.Facets)
-  {
-    components.Add(facet);
-  }
-  JoinAroundSolid(mesh, regions, components);
-  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
-  {
-    if (stream.Step[cell] == Stream::Never)
-    {
-      components.Add(mesh.Cells[cell]);
-    }
-  }
-  // A cell within one component of the stream's last approximation never changes the number.
   const std::vector<int> labels = components.GetLabels();
   const auto isWithinOne = [&](const auto& corners)
   {
@@ -130,7 +120,7 @@ std::vector<int> CountComponents(
       joining.push_back(cell);
     }
   }
-  const Buckets<int> byStep(stream.LastStep() + 1,
+  return Buckets<int>(stream.LastStep() + 1,
     [&](auto&& visit)
     {
       for (const int cell : joining)
@@ -138,6 +128,26 @@ std::vector<int> CountComponents(
         visit(stream.Step[cell], cell);
       }
     });
+}
+
+template <int D>
+std::vector<int> CountComponents(
+  const Decomposition<D>& mesh, const Classification& regions, const Stream& stream)
+{
+  GrowingComponents components(mesh.Surface.Points.size());
+  for (const auto& facet : mesh.Surface.Facets)
+  {
+    components.Add(facet);
+  }
+  JoinAroundSolid(mesh, regions, components);
+  for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
+  {
+    if (stream.Step[cell] == Stream::Never)
+    {
+      components.Add(mesh.Cells[cell]);
+    }
+  }
+  const Buckets<int> byStep = FindJoiningCells(mesh, stream, components);
   const std::vector<int>& sorted = byStep.GetItems();
   std::vector<int> counts = MakeLarge<int>(stream.LastStep() + 1);
   constexpr int ahead = 16; // cells are scattered in memory and are prefetched

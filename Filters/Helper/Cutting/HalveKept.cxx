@@ -92,6 +92,18 @@ int SplitNearMiddle(PiercedMesh& mesh, const Edge& edge)
   return -1;
 }
 
+/** The longest edges of cells, each once, the longest first. */
+std::vector<Measured> FindLongestEdges(const std::vector<Cell>& cells)
+{
+  std::vector<Measured> edges(cells.size());
+  std::transform(cells.begin(), cells.end(), edges.begin(), FindLongestEdge);
+  std::sort(edges.begin(), edges.end(), [](const Measured& a, const Measured& b) { return b < a; });
+  edges.erase(std::unique(edges.begin(), edges.end(),
+                [](const Measured& a, const Measured& b) { return a.Ends == b.Ends; }),
+    edges.end());
+  return edges;
+}
+
 /** Pushes the tetrahedra around a vertex, and those behind them. */
 void PushNeighborhood(PiercedMesh& mesh, int vertex, std::vector<Cell>& cells)
 {
@@ -125,15 +137,8 @@ std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double
   {
     progress(static_cast<double>(added) / static_cast<double>(maximumPoints));
     const std::vector<Cell> far = FindFar(mesh, changed, distance, tolerance, threads);
-    std::vector<Measured> edges(far.size());
-    std::transform(far.begin(), far.end(), edges.begin(), FindLongestEdge);
-    std::sort(
-      edges.begin(), edges.end(), [](const Measured& a, const Measured& b) { return b < a; });
-    edges.erase(std::unique(edges.begin(), edges.end(),
-                  [](const Measured& a, const Measured& b) { return a.Ends == b.Ends; }),
-      edges.end());
     std::vector<int> made;
-    for (const Measured& edge : edges)
+    for (const Measured& edge : FindLongestEdges(far))
     {
       if (added == maximumPoints)
       {

@@ -22,6 +22,9 @@
 namespace carving::helper
 {
 
+class StarShape;
+class StarSurface;
+
 /** Parts and tetrahedra change together: every tetrahedron knows its contacts at any time. */
 class PiercedMesh
 {
@@ -186,6 +189,8 @@ private:
   Place PlaceOnEdge(int a, int b, const Point& p) const;
   Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
   int Split(const Place& place, const std::function<Vertex()>& insert);
+  bool MayReplace(const StarShape& star, const StarSurface& surface, const Place& place,
+    const EdgePredicate& isProtected) const;
   int SplitStar(const Place& place, const EdgePredicate& isProtected);
   Subdivision::Change SplitParts(const Place& place, int vertex);
   Flattened RemoveCrossed(const Cell& cell, const std::array<std::vector<int>, 2>& faces,

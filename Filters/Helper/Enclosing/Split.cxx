@@ -139,9 +139,46 @@ int PiercedMesh::Split(const Place& place, const std::function<Vertex()>& insert
 }
 
 /**
- * Joins the cells of a place, and as many around them as need be, to a star around a new vertex.
- * Everything that must stay has to be on the surface of the star, or to be split.
+ * Whether everything that must stay is on the surface of a star, or at the place, where it is split.
  */
+bool PiercedMesh::MayReplace(const StarShape& star, const StarSurface& surface, const Place& place,
+  const EdgePredicate& isProtected) const
+{
+  const auto stays = [&](int a, int b) { return surface.Has(a, b) || IsAmong(place.Edges, a, b); };
+  for (const Cell& cell : star.GetCells())
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < i; ++j)
+      {
+        const int a = IndexOf(cell, i), b = IndexOf(cell, j);
+        if (!surface.Has(a) || !surface.Has(b) ||
+          (!stays(a, b) && std::min(a, b) >= 0 && isProtected(a, b)))
+        {
+          return false;
+        }
+      }
+    }
+    for (const PartContact& contact : cell->info().All)
+    {
+      const bool isSplit =
+        std::find(place.Parts.begin(), place.Parts.end(), contact.Part) != place.Parts.end();
+      if (this->IsOnWholeFace(cell, contact) && !isSplit &&
+        star.Has(cell->neighbor(contact.How.Face)))
+      {
+        return false;
+      }
+    }
+  }
+  return std::all_of(place.Parts.begin(), place.Parts.end(),
+    [&](int part)
+    {
+      const auto& [a, b, c] = this->Parts.GetParts()[part].Corners;
+      return stays(a, b) && stays(b, c) && stays(c, a);
+    });
+}
+
+/** Joins the cells of a place, and as many around them as need be, to a star around a new vertex. */
 int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
 {
   std::vector<Cell> cells = place.Cells;
@@ -153,7 +190,7 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
     return -1;
   }
   const StarSurface surface(star);
-  if (!surface.IsSphere())
+  if (!surface.IsSphere() || !this->MayReplace(star, surface, place, isProtected))
   {
     return -1;
   }
@@ -163,47 +200,16 @@ int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
   {
     for (int i = 0; i < 4; ++i)
     {
-      for (int j = 0; j < i; ++j)
+      if (star.Has(cell->neighbor(i)))
       {
-        const int a = IndexOf(cell, i), b = IndexOf(cell, j);
-        if (!surface.Has(a) || !surface.Has(b) ||
-          (!surface.Has(a, b) && !IsAmong(place.Edges, a, b) && std::min(a, b) >= 0 &&
-            isProtected(a, b)))
-        {
-          return -1;
-        }
+        continue;
       }
-      if (!star.Has(cell->neighbor(i)))
-      {
-        if (this->Mesh.is_infinite(cell) && !SeesBorder(this->Mesh, cell, i, at))
-        {
-          return -1;
-        }
-        made.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
-        corners.push_back(i);
-      }
-    }
-    for (const PartContact& contact : cell->info().All)
-    {
-      const bool isSplit =
-        std::find(place.Parts.begin(), place.Parts.end(), contact.Part) != place.Parts.end();
-      if (this->IsOnWholeFace(cell, contact) && !isSplit &&
-        star.Has(cell->neighbor(contact.How.Face)))
+      if (this->Mesh.is_infinite(cell) && !SeesBorder(this->Mesh, cell, i, at))
       {
         return -1;
       }
-    }
-  }
-  for (const int part : place.Parts)
-  {
-    const Triangle& t = this->Parts.GetParts()[part].Corners;
-    for (int i = 0; i < 3; ++i)
-    {
-      const int a = t[i], b = t[(i + 1) % 3];
-      if (!surface.Has(a, b) && !IsAmong(place.Edges, a, b))
-      {
-        return -1;
-      }
+      made.push_back({ cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3) });
+      corners.push_back(i);
     }
   }
   const Vertex v = this->AddVertex(place.At);

@@ -23,9 +23,14 @@ AllocationLimit::~AllocationLimit()
   LargestAllocation = SIZE_MAX;
 }
 
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  return size <= LargestAllocation ? std::malloc(size > 0 ? size : 1) : nullptr;
+}
+
 void* operator new(std::size_t size)
 {
-  void* memory = size <= LargestAllocation ? std::malloc(size > 0 ? size : 1) : nullptr;
+  void* memory = operator new(size, std::nothrow);
   return memory ? memory : throw std::bad_alloc();
 }
 

@@ -25,8 +25,7 @@ struct ChainFace
 
 /**
  * The collapses that decimate a closed surface. The chain's points are the vertices of the surface,
- * followed by the points that collapses make. Every collapse removes a vertex and two triangles, and
- * may change others around.
+ * followed by the points that collapses make. Every collapse removes a vertex and two triangles.
  */
 struct CollapseChain
 {

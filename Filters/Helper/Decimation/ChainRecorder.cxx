@@ -55,11 +55,6 @@ void ChainRecorder::AddCollapse(
   this->ReplaceAll(surface, faces, this->Chain.Collapses);
 }
 
-void ChainRecorder::AddFlip(const SurfaceMesh& surface, const std::vector<Face>& faces)
-{
-  this->ReplaceAll(surface, faces, this->Chain.Collapses);
-}
-
 void ChainRecorder::AddMove(
   const SurfaceMesh& surface, Vertex vertex, const std::vector<Face>& faces)
 {

@@ -16,8 +16,8 @@ namespace carving::helper
 {
 
 /**
- * Records the collapses of a surface's edges as a chain. Moves of vertices and flips of edges count
- * with the last collapse.
+ * Records the collapses of a surface's edges as a chain. Moves of vertices count with the last
+ * collapse.
  */
 class ChainRecorder
 {
@@ -30,9 +30,6 @@ public:
    */
   void AddCollapse(
     const SurfaceMesh& surface, Vertex kept, Vertex removed, const std::vector<Face>& faces);
-
-  /** Adds that an edge has just been flipped. `faces` are those on its sides. */
-  void AddFlip(const SurfaceMesh& surface, const std::vector<Face>& faces);
 
   /** Adds that a vertex has just moved. `faces` are all faces around this vertex. */
   void AddMove(const SurfaceMesh& surface, Vertex vertex, const std::vector<Face>& faces);

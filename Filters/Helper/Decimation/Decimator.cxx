@@ -319,10 +319,6 @@ void Decimator::Collapse(const Attempt& attempt, const Point& w)
   this->Errors.Merge(vertex, removed);
   this->Collisions.Update(attempt.Around);
   this->PushAround(vertex);
-  if (this->FitsClosely())
-  {
-    this->FlipAround(vertex);
-  }
 }
 
 /**
@@ -344,22 +340,16 @@ void Decimator::PushAround(Vertex vertex)
       {
         continue;
       }
-      this->Refresh(edge);
+      this->Slides.erase(this->Surface.edge(edge));
+      if (this->Queue.Contains(this->Surface.edge(edge)))
+      {
+        this->Queue.DropPosition(this->Surface.edge(edge));
+      }
+      else
+      {
+        this->PushBound(edge);
+      }
     }
-  }
-}
-
-/** Takes over that an edge's star has changed, but not its error. */
-void Decimator::Refresh(HalfEdge edge)
-{
-  this->Slides.erase(this->Surface.edge(edge));
-  if (this->Queue.Contains(this->Surface.edge(edge)))
-  {
-    this->Queue.DropPosition(this->Surface.edge(edge));
-  }
-  else
-  {
-    this->PushBound(edge);
   }
 }
 

@@ -31,9 +31,8 @@ namespace carving::helper
  *
  * The new vertex lies on the outer side of all faces around its edge, so that the surface after the
  * collapse encloses the surface before ("progressive hull", Sander et al., "Silhouette clipping",
- * 2000). Then, unless surfaces have to be nested, it slides inward until its faces touch M, and
- * edges around it are flipped inward. None of this changes topology or makes the surface cross
- * itself.
+ * 2000). Then, unless surfaces have to be nested, it slides inward until its faces touch M. No
+ * collapse changes topology or makes the surface cross itself.
  */
 class Decimator
 {
@@ -139,11 +138,7 @@ private:
   void Collapse(const Attempt& attempt, const Point& w);
   Slide& GetSlide(SurfaceMesh::Edge_index edge, const Point& start);
   void MoveInward(Vertex vertex);
-  void FlipAround(Vertex vertex);
-  bool MayFlip(HalfEdge edge) const;
-  void Flip(HalfEdge edge, const Star& star);
   void PushAround(Vertex vertex);
-  void Refresh(HalfEdge edge);
 
   SurfaceMesh Surface;
   ChainRecorder History;

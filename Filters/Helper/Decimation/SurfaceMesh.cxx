@@ -129,21 +129,6 @@ Star::Star(const SurfaceMesh& mesh, Vertex vertex)
   } while (h != first);
 }
 
-Star Star::OfFlip(const SurfaceMesh& mesh, HalfEdge edge)
-{
-  Star star;
-  const HalfEdge back = mesh.opposite(edge);
-  for (const HalfEdge side : { edge, back })
-  {
-    star.Faces.push_back(mesh.face(side));
-    star.Corners.push_back(CornersOf(mesh, star.Faces.back()));
-  }
-  const Point& other = mesh.point(mesh.target(mesh.next(back)));
-  star.Link = { { mesh.point(mesh.source(edge)), other },
-    { other, mesh.point(mesh.target(edge)) } };
-  return star;
-}
-
 void Star::Reserve()
 {
   constexpr std::size_t usual = 16; // most stars have fewer faces

@@ -56,27 +56,17 @@ private:
   const SurfaceMesh* Surface;
 };
 
-/** Faces that may change together: into those between a position and the edges of a link. */
+/** The faces around the ends of an edge that may collapse, or around a vertex that may move. */
 struct Star
 {
-  /** The faces around the ends of an edge that may collapse. */
   Star(const SurfaceMesh& mesh, HalfEdge edge);
-
-  /** The faces around a vertex that may move. */
   Star(const SurfaceMesh& mesh, Vertex vertex);
-
-  /**
-   * The faces at an edge that may be flipped. The position is that of the corner that `edge`, on
-   * whose left it is, does not have.
-   */
-  static Star OfFlip(const SurfaceMesh& mesh, HalfEdge edge);
 
   std::vector<Face> Faces;                   ///< the two that vanish with an edge come last
   std::vector<std::array<Point, 3>> Corners; ///< of each of these
   Fan Link; ///< the boundary of the star: an edge of each remaining face
 
 private:
-  Star() = default;
   void Reserve();
   void AddFace(const SurfaceMesh& mesh, HalfEdge spoke);
 };

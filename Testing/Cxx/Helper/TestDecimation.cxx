@@ -42,42 +42,6 @@ TEST(Decimation, EnclosesSimpleShapes)
   }
 }
 
-// An edge is flipped where that takes the surface inward. In the surface, the roof of a box is a
-// ridge from corner to corner; in the mesh, it is a pit below the line between the other two corners.
-// Once the vertex in the middle of the ridge has gone, the surface has a valley on this line.
-TEST(Decimation, FlipsEdgesInward)
-{
-  TriangleMesh walls = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
-  const auto roof = [&walls](double x, double y)
-  {
-    const auto found = std::find(walls.Points.begin(), walls.Points.end(), Point{ x, y, 1.0 });
-    return static_cast<int>(found - walls.Points.begin());
-  };
-  const int a = roof(0, 0), b = roof(1, 1), c = roof(1, 0), d = roof(0, 1);
-  const auto isOnRoof = [&walls](const Triangle& t)
-  { return std::all_of(t.begin(), t.end(), [&](int k) { return walls.Points[k][2] == 1.0; }); };
-  walls.Triangles.erase(std::remove_if(walls.Triangles.begin(), walls.Triangles.end(), isOnRoof),
-    walls.Triangles.end());
-  walls.Points[a][2] = walls.Points[b][2] = 1.25;
-  const auto covered = [&](double height)
-  {
-    TriangleMesh mesh = walls;
-    const int middle = static_cast<int>(mesh.Points.size());
-    mesh.Points.push_back({ 0.5, 0.5, height });
-    mesh.Triangles.insert(mesh.Triangles.end(),
-      { { a, c, middle }, { c, b, middle }, { b, d, middle }, { d, a, middle } });
-    return mesh;
-  };
-  Decimation decimation;
-  ASSERT_EQ(DecimateEnclosing(covered(1.25), covered(0.75), {}, OptionsFor({ 8 }), decimation), "");
-  const std::vector<DecimationResult> results = GetResults(decimation);
-  ASSERT_EQ(results.size(), 1u);
-  EXPECT_EQ(results[0].Mesh.Points.size(), 8u);
-  // Below the valley, triangles with heights of 1.25, 1 and 1 stand on half of the base each.
-  EXPECT_NEAR(checks::SixVolume(results[0].Mesh.Points, results[0].Mesh.Triangles),
-    6.0 * (1.25 + 1.0 + 1.0) / 3.0, 1e-6);
-}
-
 // A void stays a void, with solid around it, however far it shrinks.
 TEST(Decimation, KeepsVoids)
 {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "System/TemporaryFile.h"
 
+#include <memory>
+#include <new>
+
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>

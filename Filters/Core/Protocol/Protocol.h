@@ -3,9 +3,9 @@
  * @file
  * The messages between a host and the helper program.
  *
- * The host writes a Job and reads a Reply, both binary: the helper's standard input and output on
- * Linux, files elsewhere. On standard error, the helper writes a line per progress report (ProgressLine). Any
- * other line there is a diagnostic for the user.
+ * The host writes a Job and reads a Reply, both binary. On Linux, these are the helper's standard
+ * input and output; elsewhere, they are files. On standard error, the helper writes a line per
+ * progress report (ProgressLine). Any other line there is a diagnostic for the user.
  */
 #ifndef carving_Protocol_h
 #define carving_Protocol_h

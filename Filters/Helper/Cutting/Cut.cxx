@@ -43,7 +43,10 @@ public:
   /** Gives the part back to the mesh as faces. Returns whether that succeeded. */
   bool TryPart(const Part& part);
 
-  /** Gives parts back, divided at the vertices on their edges, but not needles: returns these. */
+  /**
+   * Gives parts back, divided at the vertices on their edges. Of needles, gives back the gaps at
+   * their edges, and returns the needles.
+   */
   std::vector<Part> GiveUp(
     const std::vector<Part>& parts, int threads, const std::function<bool(double)>& progress);
 
@@ -117,7 +120,10 @@ bool Cutter::TryPart(const Part& part)
   return isDone;
 }
 
-/** Adds the pieces of a part between the vertices on its edges. Returns false if it is a needle. */
+/**
+ * Adds the pieces of a part between the vertices on its edges. Of a needle, adds the gaps between
+ * its edges and these vertices alone, and returns false.
+ */
 bool Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
 {
   Sides sides;
@@ -136,15 +142,20 @@ bool Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
   {
     length += LengthOf(piece, points);
   }
-  if (length > most * LengthOf(part.Corners, points))
+  const bool isNeedle = length > most * LengthOf(part.Corners, points);
+  const auto add = [&](const std::vector<Triangle>& triangles)
   {
-    return false;
-  }
-  for (const Triangle& piece : divided)
+    for (const Triangle& piece : triangles)
+    {
+      pieces.push_back({ piece, part.Parent });
+    }
+  };
+  add(isNeedle ? std::vector<Triangle>() : divided);
+  for (std::size_t s = 0; s < sides.size() && isNeedle; ++s)
   {
-    pieces.push_back({ piece, part.Parent });
+    add(FillGap(sides[s]));
   }
-  return true;
+  return !isNeedle;
 }
 
 std::vector<Part> Cutter::GiveUp(

@@ -14,7 +14,9 @@
 namespace carving::helper
 {
 
-/** A tolerance for Cut, of the mesh's diagonal: some thousand times the rounding of a coordinate. */
+/**
+ * A tolerance for Cut, of the mesh's diagonal: some thousand times the rounding of a coordinate.
+ */
 constexpr double CutTolerance = 1e-12;
 
 struct CutLimits
@@ -33,10 +35,11 @@ struct CutLimits
  * pierce tetrahedra, or lie on faces that extend beyond them. What is within `tolerance`, a length,
  * of a part counts as being on it. The result does not depend on `threads`.
  *
- * Returns the needles among them instead, without any trace in the mesh. Vertices along a needle
- * would divide it into pieces that are as long as itself, and each of them would meet as many
- * tetrahedra. The caller gives needles back, after vertices have been detached if they will be:
- * a needle in the mesh keeps the vertices around it from being detached.
+ * Returns the needles among them instead. Vertices along a needle would divide it into pieces that
+ * are as long as itself, and each of them would meet as many tetrahedra. The mesh has only the gaps
+ * between the needle's edges and these vertices, which are off the edges by a rounding: a closed
+ * part of M would have cracks otherwise. The caller gives needles back, after vertices have been
+ * detached if they will be: a needle in the mesh keeps the vertices around it from being detached.
  */
 [[nodiscard]] std::vector<Subdivision::Part> Cut(PiercedMesh& mesh, double tolerance,
   const CutLimits& limits, int threads, const std::function<bool(double)>& progress);

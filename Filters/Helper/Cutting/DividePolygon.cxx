@@ -142,4 +142,23 @@ std::vector<Triangle> DividePolygon(const Sides& polygon, const std::vector<Poin
   return triangles;
 }
 
+std::vector<Triangle> FillGap(const std::vector<int>& side)
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::pair<std::size_t, std::size_t>> stack = { { 0, side.size() - 1 } };
+  while (!stack.empty())
+  {
+    const auto [first, last] = stack.back();
+    stack.pop_back();
+    if (last - first >= 2)
+    {
+      const std::size_t middle = (first + last) / 2;
+      triangles.push_back({ side[first], side[middle], side[last] });
+      stack.push_back({ first, middle });
+      stack.push_back({ middle, last });
+    }
+  }
+  return triangles;
+}
+
 } // namespace carving::helper

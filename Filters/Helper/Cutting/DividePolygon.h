@@ -21,6 +21,12 @@ using Sides = std::vector<std::vector<int>>;
  */
 std::vector<Triangle> DividePolygon(const Sides& polygon, const std::vector<Point>& points);
 
+/**
+ * Triangles that fill the gap between a side with vertices on it and the straight line between its
+ * ends. Together, they are as long as the side, times the logarithm of the number of vertices.
+ */
+std::vector<Triangle> FillGap(const std::vector<int>& side);
+
 } // namespace carving::helper
 
 #endif

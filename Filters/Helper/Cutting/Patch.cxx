@@ -189,8 +189,8 @@ bool Patch::CutEdges()
 }
 
 /**
- * Whether a cell at a face on the plane of the triangle is on one side of the plane, with no part on
- * the other. An infinite cell is on the side to which its face of the hull is turned.
+ * Whether a cell at a face on the plane of the triangle is on one side of the plane, with no part
+ * on the other. An infinite cell is on the side to which its face of the hull is turned.
  */
 bool Patch::IsOnSide(const Cell& cell, int side)
 {
@@ -229,8 +229,8 @@ bool Patch::IsFace(const Cell& cell, int f, int side)
 }
 
 /**
- * The only face on the left of an edge, seen from the first of its corners. Faces whose third corner
- * is on the line of the edge count if there are no others.
+ * The only face on the left of an edge, seen from the first of its corners. Faces whose third
+ * corner is on the line of the edge count if there are no others.
  */
 Patch::Left Patch::FindLeft(const CellEdge& edge, int side)
 {

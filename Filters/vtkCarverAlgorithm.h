@@ -166,7 +166,7 @@ public:
   /**
    * The depth d(t) of equation (2). HIERARCHY (default): 1 for a tetrahedron on C0; for any other,
    * one more than the depth of the neighbor whose carving made it carvable. DISTANCE: the distance
-   * of the centroid from the surface of C0, in world units.
+   * of the centroid from the surface of C0, in world units; at least 1e-9 of M's diagonal.
    */
   vtkSetClampMacro(DepthMeasure, int, HIERARCHY, DISTANCE);
   vtkGetMacro(DepthMeasure, int);
@@ -243,7 +243,9 @@ public:
    * Which of the regions that M encloses are solid. The other enclosed regions are voids. A region
    * that reaches the outside without crossing M is neither. The rules are not in the paper.
    * - NONZERO_WINDING (default): the regions where the winding number of M is at least one half in
-   *   magnitude. Overlapping parts are solid throughout, whatever their orientation.
+   *   magnitude. Overlapping parts are solid throughout, whatever their orientation. Triangles that
+   *   share an edge which no third triangle has count as oriented alike: those of less area are
+   *   turned.
    * - EVEN_ODD: the regions where the path of fewest crossings from the outside crosses an odd
    *   number of triangles. Orientation does not matter. Nested shells are alternately solid and
    *   hollow.
@@ -270,7 +272,7 @@ public:
    * - ENCLOSING: a Delaunay tetrahedralization, which always succeeds. Tetrahedra that M pierces
    *   are never carved: levels enclose M and do not cross themselves. Triangles are recovered as
    *   faces as far as possible. Along the others, the tetrahedra are cut, with vertices on the
-   *   triangles. What is left is approximated by the last level (see EnclosingTolerance). If M
+   *   triangles. The last level approximates the remaining triangles (see EnclosingTolerance). If M
    *   crosses itself, the resolved M may take its place, where more of that is met.
    * - AUTO (default): EXACT, and ENCLOSING if that fails or takes too long, or if M crosses itself
    *   in so many places that resolving would multiply its size.
@@ -446,9 +448,9 @@ public:
    * TetGen runs while crossings are searched for, winding numbers, the profile and levels are
    * computed by several threads, and trials of simplified levels run beside each other. The outputs
    * do not depend on this number. With 0, the default, as many as
-   * vtkSMPTools::GetEstimatedNumberOfThreads() says. At least 0.
+   * vtkSMPTools::GetEstimatedNumberOfThreads() says. From 0 to 1024.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
@@ -538,7 +540,7 @@ public:
    *   0 and CarveExposed is off.
    * - STEP k: that step, or the nearest one and a warning.
    */
-  void AddLevelTarget(double target);
+  void AddLevelTarget(double target); ///< finite, at least 0; others are refused with an error
   void ClearLevelTargets();
   int GetNumberOfLevelTargets();
   /** The target of an index, or 0 if there is none. */

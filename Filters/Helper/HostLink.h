@@ -19,9 +19,9 @@ struct HostLink
 };
 
 /**
- * The files of the host, from the arguments of the function main. On Linux, these are standard input
- * and output, and all other output goes to standard error from then on. Elsewhere, the arguments
- * name them; without arguments, both paths are empty.
+ * The files of the host, from the arguments of the function main. On Linux, these are standard
+ * input and output, and all other output goes to standard error from then on. Elsewhere, the
+ * arguments name them; without arguments, both paths are empty.
  */
 HostLink ConnectToHost(int argc, char* argv[]);
 

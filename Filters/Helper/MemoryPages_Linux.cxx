@@ -40,11 +40,13 @@ bool ReturnsFreePages(const std::filesystem::path& balloons)
 {
   constexpr std::size_t reporting = 5; // VIRTIO_BALLOON_F_REPORTING of the virtio standard
   std::error_code none;                // a folder that is missing or unreadable has no devices
-  for (const auto& device : std::filesystem::directory_iterator(balloons, none))
+  const std::filesystem::directory_iterator end;
+  for (std::filesystem::directory_iterator device(balloons, none); device != end;
+       device.increment(none))
   {
     // The features that the machine and its host agreed on: a digit each, the first one first.
     std::string features;
-    std::ifstream(device.path() / "features") >> features;
+    std::ifstream(device->path() / "features") >> features;
     if (features.size() > reporting && features[reporting] == '1')
     {
       return true;

@@ -18,6 +18,7 @@
 #include "Helper/Plane/Triangulate.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Intersections.h"
+#include "Helper/Resolve/Orient.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -81,6 +82,7 @@ void CleanGiven(const Job& job, Reply& reply, Reporter& reporter)
 {
   reporter.Begin(Stage::Clean);
   reply.Result.Surface = Clean(AsResolved(job.Mesh));
+  OrientAlike(reply.Result.Surface);
   reporter.End();
 }
 

@@ -30,9 +30,9 @@ protected:
   std::vector<Point> FurtherPoints(const std::vector<Point>& points) const;
 
   /**
-   * Does a task in a child process, and records how the child ended unless the task has recorded its
-   * own failure: `subject` and the mistake follow `attempt` on a line. `meanwhile` may find that the
-   * work was for nothing (RunInChildProcess).
+   * Does a task in a child process, and records how the child ended unless the task has recorded
+   * its own failure: `subject` and the mistake follow `attempt` on a line. `meanwhile` may find
+   * that the work was for nothing (RunInChildProcess).
    */
   bool TryInChild(const std::string& attempt, const std::string& subject, const Limits& limits,
     const Task& task, const std::function<bool()>& meanwhile = {});

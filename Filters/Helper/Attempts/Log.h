@@ -20,8 +20,8 @@ class Log
 {
 public:
   /**
-   * `attempt` is the beginning of the line that the mistake ends, and `subject` that of the mistake.
-   * A limit that ends several attempts is listed once, with the first subject.
+   * `attempt` is the beginning of the line that the mistake ends, and `subject` that of the
+   * mistake. A limit that ends several attempts is listed once, with the first subject.
    */
   void Add(const std::string& attempt, const Ending& ending, const std::string& subject = {});
   void Clear();

@@ -19,7 +19,9 @@ namespace carving::helper
 class Messages
 {
 public:
-  /** Child processes that are no forks find the text by its name, unique among those of a process. */
+  /**
+   * Child processes that are no forks find the text by its name, unique among those of a process.
+   */
   explicit Messages(const std::string& name);
   ~Messages();
   Messages(const Messages&) = delete;

@@ -21,9 +21,9 @@ Limits LimitsOfAttempt(const Job& job, SurfacePoints surfacePoints, std::size_t 
 Limits LimitsOfExact(const Job& job, std::size_t numberOfFacets);
 
 /**
- * For all attempts at the mesh with its points moved, after exact attempts that took `used` seconds:
- * the rest of their time, and a quarter more. Where TetGen hung on the mesh, it mostly hangs again;
- * where TetGen soon crashed, most attempts succeed if they have the time.
+ * For all attempts at the mesh with its points moved, after exact attempts that took `used`
+ * seconds: the rest of their time, and a quarter more. Where TetGen hung on the mesh, it mostly
+ * hangs again; where TetGen soon crashed, most attempts succeed if they have the time.
  */
 Limits LimitsOfSnapped(const Job& job, std::size_t numberOfFacets, double used);
 

@@ -37,11 +37,11 @@ struct StrategyHost
  * 3. The enclosing Delaunay tetrahedralization, which always succeeds, unless the job's conformity
  *    is Exact or C0 is given.
  *
- * The job's Strategy leaves out recovery, or TetGen: then recovery is the only exact attempt, at the
- * mesh as it is and at snapped ones.
+ * The job's Strategy leaves out recovery, or TetGen: then recovery is the only exact attempt, at
+ * the mesh as it is and at snapped ones.
  *
- * Where a processor is free, strategy 3 begins while the others take long (PatienceBeforeEnclosing),
- * and the reply is written once they have failed.
+ * Where a processor is free, strategy 3 begins while the others take long
+ * (PatienceBeforeEnclosing), and the reply is written once they have failed.
  *
  * A job whose conformity is Enclosing starts with strategy 3. With Auto, strategies 1 and 2 give up
  * where resolving so many crossings would multiply M.

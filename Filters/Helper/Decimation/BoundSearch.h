@@ -28,9 +28,9 @@ public:
   }
 
   /**
-   * The bound to begin with: surfaces within a bound are up to 60 % closer than one without. A bound
-   * below the surface's own error would keep the edges where the surface is far. None if that error
-   * exceeds the greatest bound.
+   * The bound to begin with: surfaces within a bound are up to 60 % closer than one without. A
+   * bound below the surface's own error would keep the edges where the surface is far. None if that
+   * error exceeds the greatest bound.
    */
   std::optional<double> First() const
   {

@@ -41,7 +41,9 @@ bool EndsSheet(
   return ends;
 }
 
-/** The plane of a face of a tetrahedron. Whatever is in front of the face is on its positive side. */
+/**
+ * The plane of a face of a tetrahedron. Whatever is in front of the face is on its positive side.
+ */
 SpannedPlane PlaneOf(const Corners4& corners, int face)
 {
   const auto& [a, b, c] = FaceCorners[face];

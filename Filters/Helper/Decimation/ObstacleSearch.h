@@ -55,8 +55,8 @@ public:
   }
 
   /**
-   * Calls `visit` with the index and corners of each triangle that counts and that a moving face may
-   * meet. The face may change meanwhile, to the same motion for a shorter time.
+   * Calls `visit` with the index and corners of each triangle that counts and that a moving face
+   * may meet. The face may change meanwhile, to the same motion for a shorter time.
    */
   template <class Predicate, class Visitor>
   void ForEachSwept(const SweptFace& face, Predicate&& counts, Visitor&& visit) const

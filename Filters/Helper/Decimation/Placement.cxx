@@ -26,9 +26,9 @@ constexpr double Pull = 1e-3;
 constexpr double LeastSlack = 1e-3, GreatestSlack = 1.0, SlackRatio = 10.0;
 
 /**
- * Slack grows only if its product with the number of vertices is at most this many of M's diagonals.
- * The distance between a sphere and n vertices around it is about 1 / n of its diameter. Where n
- * vertices are stuck in many times this slack, more of it only makes spikes.
+ * Slack grows only if its product with the number of vertices is at most this many of M's
+ * diagonals. The distance between a sphere and n vertices around it is about 1 / n of its diameter.
+ * Where n vertices are stuck in many times this slack, more of it only makes spikes.
  */
 constexpr double MostSlackOfAll = 10.0;
 

@@ -34,8 +34,9 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
     const auto [a, b, c] = surface.Triangles[i];
     return std::array<Point, 3>{ surface.Points[a], surface.Points[b], surface.Points[c] };
   };
-  // Up to some thousand decide. Only slivers in one plane with many facets need more, up to billions.
-  // They are very close to the mesh then, so that their bound may be more than 1 % too large.
+  // Up to some thousand decide. Only slivers in one plane with many facets need more, up to
+  // billions. They are very close to the mesh then, so that their bound may be more than 1 % too
+  // large.
   constexpr int mostQueries = 20000;
   // A sample finds a face that is about as far as any: then it takes few queries to show that the
   // others are not farther.
@@ -129,7 +130,8 @@ std::string TargetSeries::Run()
   for (std::size_t i = 0; i < this->Options.Targets.size(); ++i)
   {
     const bool reached = this->Reach(i);
-    // Bounds are below the distance of a known result, which is better than one that misses a number.
+    // Bounds are below the distance of a known result, which is better than one that misses a
+    // number.
     const bool isOfUse = reached || this->Options.Bounds.empty();
     for (int round = 0; round < TighteningRounds && isOfUse && !this->Stopped; ++round)
     {
@@ -147,7 +149,9 @@ std::string TargetSeries::Run()
   return {};
 }
 
-/** Collapses edges within bounds, the least first, down to a target. Returns whether it is reached. */
+/**
+ * Collapses edges within bounds, the least first, down to a target. Returns whether it is reached.
+ */
 bool TargetSeries::Reach(std::size_t i)
 {
   const double target = this->Options.Targets[i];

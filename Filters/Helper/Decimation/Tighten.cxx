@@ -86,8 +86,8 @@ void Decimator::MoveInward(Vertex vertex)
 }
 
 /**
- * Moves the tightened vertices back, or forth again. The queue needs no update: it always belongs to
- * the surface before these moves.
+ * Moves the tightened vertices back, or forth again. The queue needs no update: it always belongs
+ * to the surface before these moves.
  */
 void Decimator::SwapMoves()
 {

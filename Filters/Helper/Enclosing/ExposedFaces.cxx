@@ -20,8 +20,8 @@ using Cell = PiercedMesh::Cell;
 using Corners = SurfaceDistance::Corners;
 
 /**
- * Points on faces. Each stands for the same share of the area of all faces (systematic sampling), so
- * that millions of small faces take no longer than a few large ones.
+ * Points on faces. Each stands for the same share of the area of all faces (systematic sampling),
+ * so that millions of small faces take no longer than a few large ones.
  */
 std::vector<Point> Sample(const std::vector<Corners>& faces, double spacing)
 {

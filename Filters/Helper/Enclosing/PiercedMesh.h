@@ -113,8 +113,8 @@ public:
   Flattened RemoveFlat(const Cell& cell, const EdgePredicate& isProtected);
 
   /**
-   * Removes a vertex that is not M's own by moving it to a neighbor for which `mayMove` returns true.
-   * Triangles of M stay the same but for rounding. Returns the neighbor; -1: there is none.
+   * Removes a vertex that is not M's own by moving it to a neighbor for which `mayMove` returns
+   * true. Triangles of M stay the same but for rounding. Returns the neighbor; -1: there is none.
    */
   int RemoveVertex(int vertex, const std::function<bool(int)>& mayMove);
 

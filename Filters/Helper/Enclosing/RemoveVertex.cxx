@@ -190,8 +190,8 @@ int PiercedMesh::RemoveVertex(int vertex, const std::function<bool(int)>& mayMov
 
 /**
  * Moves a vertex to a neighbor. Cells at the edge between the two vertices vanish: the two faces of
- * such a cell that are not at the edge become one face. Every part that meets a cell of the star has
- * to be a face of this cell.
+ * such a cell that are not at the edge become one face. Every part that meets a cell of the star
+ * has to be a face of this cell.
  */
 void PiercedMesh::Collapse(const std::vector<Cell>& star, const Vertex& from, const Vertex& to)
 {

@@ -139,7 +139,8 @@ int PiercedMesh::Split(const Place& place, const std::function<Vertex()>& insert
 }
 
 /**
- * Whether everything that must stay is on the surface of a star, or at the place, where it is split.
+ * Whether everything that must stay is on the surface of a star, or at the place, where it is
+ * split.
  */
 bool PiercedMesh::MayReplace(const StarShape& star, const StarSurface& surface, const Place& place,
   const EdgePredicate& isProtected) const
@@ -178,7 +179,9 @@ bool PiercedMesh::MayReplace(const StarShape& star, const StarSurface& surface, 
     });
 }
 
-/** Joins the cells of a place, and as many around them as need be, to a star around a new vertex. */
+/**
+ * Joins the cells of a place, and as many around them as need be, to a star around a new vertex.
+ */
 int PiercedMesh::SplitStar(const Place& place, const EdgePredicate& isProtected)
 {
   std::vector<Cell> cells = place.Cells;

@@ -32,8 +32,8 @@ bool AreInPlane(const std::vector<Point>& points, const ResolvedMesh& surface)
 }
 
 /**
- * TetGen's input. The polygons and their corners lie in two arrays: allocating and releasing each of
- * them, as TetGen does, takes a fiftieth of TetGen's time.
+ * TetGen's input. The polygons and their corners lie in two arrays: allocating and releasing each
+ * of them, as TetGen does, takes a fiftieth of TetGen's time.
  */
 class TetGenInput
 {

@@ -20,9 +20,9 @@ void RemoveFolds(PiercedMesh& mesh);
 
 /**
  * Detaches vertices that were put inside of triangles of M or of their edges, which are those from
- * index `firstAdded` on. The faces of a triangle are replaced by faces without the vertex, until the
- * triangle is one face again; each space between the triangles gets other vertices off M where it
- * needs them. Few vertices resist, most of them at borders of open surfaces. Where no tetrahedra
+ * index `firstAdded` on. The faces of a triangle are replaced by faces without the vertex, until
+ * the triangle is one face again; each space between the triangles gets other vertices off M where
+ * it needs them. Few vertices resist, most of them at borders of open surfaces. Where no tetrahedra
  * around a single vertex fill a space, others are searched for, at most `maximumSearches` times; a
  * search takes some milliseconds.
  */

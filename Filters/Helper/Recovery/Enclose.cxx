@@ -65,7 +65,8 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
 }
 
 /**
- * Measures the share of M's area that is faces, which is returned, and that of each triangle's area.
+ * Measures the share of M's area that is faces, which is returned, and that of each triangle's
+ * area.
  */
 double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
 {
@@ -189,8 +190,9 @@ double MetShareOf(const CutTetrahedra& cells)
 }
 
 /**
- * Whether more of M is likely to be met if it is resolved first. With few crossings, little would be
- * gained. Where cutting leaves many tetrahedra pierced, more time would be lost than area gained.
+ * Whether more of M is likely to be met if it is resolved first. With few crossings, little would
+ * be gained. Where cutting leaves many tetrahedra pierced, more time would be lost than area
+ * gained.
  */
 bool MayMeetMoreResolved(const CutTetrahedra& cells, std::size_t pairs)
 {

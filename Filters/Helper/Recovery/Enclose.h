@@ -32,8 +32,8 @@ struct Enclosure
  * many points. With 0, none are added on M.
  *
  * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has
- * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input or, if
- * more of that is met, the resolved input, and `MetShares` is there.
+ * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input or,
+ * if more of that is met, the resolved input, and `MetShares` is there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
   int threads, const std::function<bool(double)>& progress, Tetrahedralization& result);

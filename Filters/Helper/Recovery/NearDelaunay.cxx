@@ -14,9 +14,9 @@ namespace
 {
 
 /**
- * The greatest share of edges that are not Delaunay. Of measured meshes with less, all were recovered
- * as a whole, in a third to four fifths of TetGen's time. Of those with 0.13 to 0.24, five of seven
- * lacked some triangles or took longer.
+ * The greatest share of edges that are not Delaunay. Of measured meshes with less, all were
+ * recovered as a whole, in a third to four fifths of TetGen's time. Of those with 0.13 to 0.24,
+ * five of seven lacked some triangles or took longer.
  */
 constexpr double MaximumShare = 0.12;
 

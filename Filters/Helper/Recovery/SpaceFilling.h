@@ -43,8 +43,8 @@ SpaceFilling MakeStar(
 std::optional<SpaceFilling> FillFromVertex(const Border& border);
 
 /**
- * The star of a point that sees all of a border. Points on the ways from `from`, which saw all of it
- * before, to the centers of the triangles are tried, ever closer to `from`.
+ * The star of a point that sees all of a border. Points on the ways from `from`, which saw all of
+ * it before, to the centers of the triangles are tried, ever closer to `from`.
  */
 std::optional<SpaceFilling> FillFromPoint(const Border& border, const Inexact::Point_3& from);
 

@@ -65,7 +65,9 @@ bool VertexWalls::Retriangulate()
   return true;
 }
 
-/** Finds the faces of walls. Returns false if a part pierces a cell or is only a piece of a face. */
+/**
+ * Finds the faces of walls. Returns false if a part pierces a cell or is only a piece of a face.
+ */
 bool VertexWalls::FindFaces()
 {
   const auto isInfinite = [&](const Cell& cell)

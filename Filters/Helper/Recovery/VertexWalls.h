@@ -15,7 +15,8 @@ namespace carving::helper
 {
 
 /**
- * The walls at a vertex that is inside of triangles or edges of M, and the spaces between the walls.
+ * The walls at a vertex that is inside of triangles or edges of M, and the spaces between the
+ * walls.
  */
 class VertexWalls
 {

@@ -21,10 +21,10 @@ class EdgeChains
 {
 public:
   /**
-   * Divides each edge, and each of further `segments` between points of the mesh, at the points that
-   * are within `tolerance` of it. Where two of them pass each other within the tolerance, appends a
-   * point midway to the mesh, and divides both there. No two points of the mesh may be within the
-   * tolerance of each other.
+   * Divides each edge, and each of further `segments` between points of the mesh, at the points
+   * that are within `tolerance` of it. Where two of them pass each other within the tolerance,
+   * appends a point midway to the mesh, and divides both there. No two points of the mesh may be
+   * within the tolerance of each other.
    */
   EdgeChains(ResolvedMesh& mesh, const EdgeList& segments, double tolerance);
 

@@ -7,6 +7,7 @@
 #include "Core/Solid/WindingTree.h"
 #include "Helper/Base/PointInFront.h"
 #include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/FacetNeighbors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,54 +23,6 @@ struct Sides
   int Front = 0;
   int Behind = 0;
 };
-
-/** The neighbor of a facet across an edge that no third facet has. */
-struct Neighbor
-{
-  int Facet = -1;       ///< -1: none
-  bool Flipped = false; ///< the two facets are inconsistently oriented
-};
-
-using Neighbors = std::array<Neighbor, 3>;
-
-std::vector<Neighbors> FindNeighbors(const ResolvedMesh& mesh)
-{
-  struct Use
-  {
-    std::array<int, 2> Edge;
-    int Facet;
-    int Place;
-    bool Ascending;
-  };
-  std::vector<Use> uses;
-  for (std::size_t f = 0; f < mesh.Facets.size(); ++f)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const int a = mesh.Facets[f][i], b = mesh.Facets[f][(i + 1) % 3];
-      uses.push_back({ { std::min(a, b), std::max(a, b) }, static_cast<int>(f), i, a < b });
-    }
-  }
-  std::sort(uses.begin(), uses.end(),
-    [](const Use& a, const Use& b)
-    { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Facet < b.Facet; });
-  std::vector<Neighbors> neighbors(mesh.Facets.size());
-  for (std::size_t first = 0, last = 0; first < uses.size(); first = last)
-  {
-    while (last < uses.size() && uses[last].Edge == uses[first].Edge)
-    {
-      ++last;
-    }
-    if (last - first == 2)
-    {
-      const Use &a = uses[first], &b = uses[first + 1];
-      const bool flipped = a.Ascending == b.Ascending;
-      neighbors[a.Facet][a.Place] = { b.Facet, flipped };
-      neighbors[b.Facet][b.Place] = { a.Facet, flipped };
-    }
-  }
-  return neighbors;
-}
 
 /** Twice the area divided by the longest edge: the least height. */
 double Width(const ResolvedMesh& mesh, int facet)
@@ -88,13 +41,13 @@ Point PointJustInFront(const ResolvedMesh& mesh, int facet)
 
 /** The facets that are connected to `seed` by neighbors, `seed` first. */
 std::vector<int> Patch(
-  int seed, const std::vector<Neighbors>& neighbors, std::vector<char>& reached)
+  int seed, const std::vector<FacetNeighbors>& neighbors, std::vector<char>& reached)
 {
   std::vector<int> patch = { seed };
   reached[seed] = 1;
   for (std::size_t i = 0; i < patch.size(); ++i)
   {
-    for (const Neighbor& neighbor : neighbors[patch[i]])
+    for (const FacetNeighbor& neighbor : neighbors[patch[i]])
     {
       if (neighbor.Facet >= 0 && !reached[neighbor.Facet])
       {
@@ -114,7 +67,7 @@ std::vector<int> Patch(
 bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
 {
   constexpr double Ambiguous = 0.1;
-  const std::vector<Neighbors> neighbors = FindNeighbors(mesh);
+  const std::vector<FacetNeighbors> neighbors = FindFacetNeighbors(mesh);
   const WindingTree tree(mesh);
   const int numberOfFacets = static_cast<int>(mesh.Facets.size());
   sides.resize(numberOfFacets);
@@ -137,7 +90,7 @@ bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
     sides[widest] = { front, front + mesh.SignedMultiplicities[widest] };
     for (const int facet : Patch(widest, neighbors, known))
     {
-      for (const Neighbor& neighbor : neighbors[facet])
+      for (const FacetNeighbor& neighbor : neighbors[facet])
       {
         if (neighbor.Facet >= 0)
         {

@@ -102,8 +102,8 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
 }
 
 /**
- * The number of pairs that counts for a limit. Boxes that touch have walls in common planes, and their
- * other walls cross in common lines, so that few points come of many pairs.
+ * The number of pairs that counts for a limit. Boxes that touch have walls in common planes, and
+ * their other walls cross in common lines, so that few points come of many pairs.
  */
 std::size_t CountForLimit(const ResolvedMesh& mesh, const Pairs& pairs)
 {
@@ -122,8 +122,8 @@ std::size_t CountForLimit(const ResolvedMesh& mesh, const Pairs& pairs)
 std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
   const std::function<ResolvedMesh(Pairs)>& split, double maximumPairs)
 {
-  // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer, hardly
-  // any further round mends that, and each takes longer.
+  // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer,
+  // hardly any further round mends that, and each takes longer.
   constexpr int maximumRounds = 10;
   const bool areAll = pairs.size() < MostIntersections;
   if (!areAll ||

@@ -21,7 +21,8 @@ namespace carving::helper
  *
  * `mesh` has been cleaned and stays clean. `intersectingPairs` is set to the number of intersecting
  * pairs in the given mesh. Nothing is split if it exceeds `maximumPairs`, unless many of the
- * triangles lie on each other, or reaches MostIntersections. Returns an empty string, or why intersections are left.
+ * triangles lie on each other, or reaches MostIntersections. Returns an empty string, or why
+ * intersections are left.
  */
 std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress,
   double maximumPairs = HUGE_VAL);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+#include "Helper/Resolve/Orient.h"
+
+#include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/Vector.h"
+#include "Helper/Resolve/FacetNeighbors.h"
+
+#include <utility>
+#include <vector>
+
+namespace carving::helper
+{
+namespace
+{
+
+/** Two facets, each given once, that share an edge which no other facet has. */
+struct Pair
+{
+  int First, Second;
+  bool AreAlike; ///< oriented alike
+};
+
+/** All pairs; none if all of them are oriented alike. */
+std::vector<Pair> FindPairsUnlessAlike(const ResolvedMesh& mesh)
+{
+  std::vector<Pair> pairs;
+  bool areAllAlike = true;
+  const std::vector<FacetNeighbors> neighbors = FindFacetNeighbors(mesh);
+  for (int f = 0; f < static_cast<int>(neighbors.size()); ++f)
+  {
+    for (const auto& [neighbor, flipped] : neighbors[f])
+    {
+      if (neighbor > f && mesh.Multiplicities[f] == 1 && mesh.Multiplicities[neighbor] == 1)
+      {
+        const bool haveSameSign =
+          mesh.SignedMultiplicities[f] == mesh.SignedMultiplicities[neighbor];
+        pairs.push_back({ f, neighbor, haveSameSign != flipped });
+        areAllAlike = areAllAlike && pairs.back().AreAlike;
+      }
+    }
+  }
+  return areAllAlike ? std::vector<Pair>() : pairs;
+}
+
+double AreaOf(const ResolvedMesh& mesh, std::size_t facet)
+{
+  const auto& [a, b, c] = mesh.Facets[facet];
+  return Length(Cross(mesh.Points[b] - mesh.Points[a], mesh.Points[c] - mesh.Points[a])) / 2.0;
+}
+
+} // namespace
+
+void OrientAlike(ResolvedMesh& mesh)
+{
+  const std::vector<Pair> pairs = FindPairsUnlessAlike(mesh);
+  if (pairs.empty())
+  {
+    return;
+  }
+  // Members 2 f and 2 f + 1 are facet f as given and turned. Members of a set go together.
+  const std::size_t count = mesh.Facets.size();
+  DisjointSets sets(2 * count);
+  for (const auto& [first, second, areAlike] : pairs)
+  {
+    sets.Unite(2 * first, 2 * second + (areAlike ? 0 : 1));
+    sets.Unite(2 * first + 1, 2 * second + (areAlike ? 1 : 0));
+  }
+  std::vector<double> areas(2 * count, 0.0); // of the facets as given in each set
+  for (std::size_t f = 0; f < count; ++f)
+  {
+    areas[sets.Find(static_cast<int>(2 * f))] += AreaOf(mesh, f);
+  }
+  for (std::size_t f = 0; f < count; ++f)
+  {
+    const int given = sets.Find(static_cast<int>(2 * f));
+    const int turned = sets.Find(static_cast<int>(2 * f + 1)); // the same on a surface of one side
+    if (std::pair(-areas[given], given) > std::pair(-areas[turned], turned))
+    {
+      mesh.SignedMultiplicities[f] = -mesh.SignedMultiplicities[f];
+    }
+  }
+}
+
+} // namespace carving::helper

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solid/Winding.h"
+#include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/Orient.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace carving;
+using namespace carving::helper;
+
+namespace
+{
+
+/** The mesh with each triangle turned with some probability. */
+TriangleMesh WithTurned(TriangleMesh mesh, double share, std::mt19937_64& random)
+{
+  std::bernoulli_distribution isTurned(share);
+  for (Triangle& triangle : mesh.Triangles)
+  {
+    if (isTurned(random))
+    {
+      std::swap(triangle[0], triangle[1]);
+    }
+  }
+  return mesh;
+}
+
+ResolvedMesh Oriented(const TriangleMesh& mesh)
+{
+  ResolvedMesh result = Clean(AsResolved(mesh));
+  OrientAlike(result);
+  return result;
+}
+
+} // namespace
+
+// Closed parts in whatever orientation have winding numbers that are integers, of either sign.
+TEST(Orient, MakesPartsConsistent)
+{
+  std::mt19937_64 random(3);
+  const TriangleMesh parts =
+    models::Joined(models::Sphere(2), models::Moved(models::Torus(1.0, 0.3, 12, 8), { 5, 0, 0 }));
+  for (const double share : { 0.1, 0.5, 0.9 })
+  {
+    const ResolvedMesh mesh = Oriented(WithTurned(parts, share, random));
+    EXPECT_TRUE(IsClosed(mesh));
+    EXPECT_NEAR(std::abs(WindingNumber(mesh, { 0, 0, 0 })), 1.0, 1e-9);
+    EXPECT_NEAR(std::abs(WindingNumber(mesh, { 6, 0, 0 })), 1.0, 1e-9);
+    EXPECT_NEAR(WindingNumber(mesh, { 5, 0, 0 }), 0.0, 1e-9);
+  }
+}
+
+// Of the two orientations, that of more area is kept.
+TEST(Orient, KeepsTheOrientationOfMoreArea)
+{
+  std::mt19937_64 random(4);
+  const TriangleMesh sphere = models::Sphere(2);
+  EXPECT_NEAR(WindingNumber(Oriented(WithTurned(sphere, 0.2, random)), { 0, 0, 0 }), 1.0, 1e-9);
+  EXPECT_NEAR(
+    WindingNumber(Oriented(WithTurned(models::Flipped(sphere), 0.2, random)), { 0, 0, 0 }), -1.0,
+    1e-9);
+}
+
+// A mesh that is oriented consistently stays as it is, whatever the directions of its parts are.
+TEST(Orient, LeavesConsistentPartsAlone)
+{
+  const TriangleMesh mesh =
+    models::Joined(models::Sphere(2), models::Flipped(models::Moved(models::Sphere(1), {}, 0.5)));
+  EXPECT_EQ(Oriented(mesh).SignedMultiplicities, Clean(AsResolved(mesh)).SignedMultiplicities);
+}
+
+// A Moebius strip has one side: nothing is turned.
+TEST(Orient, LeavesOneSidedSurfacesAlone)
+{
+  constexpr int n = 12;
+  TriangleMesh strip;
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / n;
+    for (const double width : { -0.2, 0.2 })
+    {
+      const double radius = 1.0 + width * std::cos(angle / 2.0);
+      strip.Points.push_back(
+        { radius * std::cos(angle), radius * std::sin(angle), width * std::sin(angle / 2.0) });
+    }
+    const int a = 2 * i, b = a + 1;
+    const int c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0; // the last one is twisted
+    strip.Triangles.push_back({ a, c, b });
+    strip.Triangles.push_back({ b, c, d });
+  }
+  EXPECT_EQ(Oriented(strip).SignedMultiplicities, std::vector<int>(2 * n, 1));
+}
+
+// Where three triangles share an edge, there is no telling which two belong together.
+TEST(Orient, DoesNotCrossEdgesOfThreeTriangles)
+{
+  const TriangleMesh fins = { { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 } },
+    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } };
+  EXPECT_EQ(Oriented(fins).SignedMultiplicities, (std::vector<int>{ 1, 1, 1 }));
+}

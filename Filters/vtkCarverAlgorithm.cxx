@@ -2,9 +2,11 @@
 #include "vtkCarverAlgorithm.h"
 
 #include "Convert/ArrayTools.h"
+#include "Convert/IsSame.h"
 #include "Objects/DataVersion.h"
 #include "Objects/LevelCollection.h"
 #include "Objects/ObjectExchange.h"
+#include "Objects/SetNumber.h"
 #include "Objects/TypedOutput.h"
 #include "Session/CarverSession.h"
 #include "vtkCarverProperty.h"
@@ -25,16 +27,6 @@
 
 namespace
 {
-
-/**
- * Whether an enumerator of the filter has the same value as that of the core. Values are passed on
- * by casts.
- */
-template <class Enumerator>
-constexpr bool IsSame(int filters, Enumerator cores)
-{
-  return filters == static_cast<int>(cores);
-}
 
 using Filter = vtkCarverAlgorithm;
 using carving::Conformity;
@@ -110,23 +102,13 @@ vtkCxxSetObjectMacro(vtkCarverAlgorithm, Controller, vtkMultiProcessController);
 void vtkCarverAlgorithm::SetNumber(
   const char* name, double number, double greatest, double& property)
 {
-  if (!std::isfinite(number))
-  {
-    vtkErrorMacro(<< name << " cannot be " << number << ": it stays " << property << ".");
-    return;
-  }
-  const double clamped = std::clamp(number, 0.0, greatest);
-  if (clamped != property)
-  {
-    property = clamped;
-    this->Modified();
-  }
+  ::SetNumber(this, name, number, greatest, property);
 }
 
 //------------------------------------------------------------------------------
 void vtkCarverAlgorithm::AddLevelTarget(double target)
 {
-  if (!std::isfinite(target))
+  if (!std::isfinite(target) || target < 0.0)
   {
     vtkErrorMacro(<< "A level target cannot be " << target << ": none is added.");
     return;

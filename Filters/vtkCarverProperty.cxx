@@ -103,7 +103,7 @@ std::vector<vtkCarverProperty> MakeProperties()
       "profile: the distance of the farthest point, never too small and at most 1 %, or a "
       "millionth of the diagonal, too large. The computation takes longer than carving. "
       "--error-bound implies it." },
-    { NAMED(NumberOfThreads), NoChoices, 0, VTK_INT_MAX, NotStored, "" },
+    { NAMED(NumberOfThreads), NoChoices, 0, 1024, NotStored, "" },
     { NAMED(ReuseDecomposition), Switch, 0, 0, NotStored, "" },
     { NAMED(NumberOfLevels), NoChoices, 1, 1000, NotStored, "" },
     { NAMED(LevelTargetType),

@@ -5,16 +5,18 @@
 #include "Convert/ArrayTools.h"
 #include "Convert/CarverInput.h"
 #include "Convert/CellArrays.h"
+#include "Convert/IsSame.h"
 #include "Convert/PointOutput.h"
 #include "Objects/CompositeTree.h"
 #include "Session/CarverStages.h"
 #include "Session/RepeatedDecimation.h"
+#include "Session/WithinMemory.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -29,14 +31,11 @@ vtkStandardNewMacro(vtkEnclosingDecimation);
 namespace
 {
 
-constexpr bool IsSame(vtkEnclosingDecimation::Targets ours, carving::DecimationTarget theirs)
-{
-  return static_cast<int>(ours) == static_cast<int>(theirs);
-}
 static_assert(IsSame(vtkEnclosingDecimation::VERTICES, carving::DecimationTarget::Vertices) &&
-    IsSame(vtkEnclosingDecimation::TRIANGLES, carving::DecimationTarget::Triangles) &&
-    IsSame(vtkEnclosingDecimation::ERROR_BOUND, carving::DecimationTarget::ErrorBound),
-  "the targets are cast");
+  IsSame(vtkEnclosingDecimation::TRIANGLES, carving::DecimationTarget::Triangles) &&
+  IsSame(vtkEnclosingDecimation::ERROR_BOUND, carving::DecimationTarget::ErrorBound));
+
+constexpr const char* TargetTypeNames[] = { "VERTICES", "TRIANGLES", "ERROR_BOUND" };
 
 void FillSurface(const carving::Decimation& decimation, const carving::DecimatedSurface& result,
   vtkPolyData* input, vtkPolyData* output)
@@ -54,12 +53,12 @@ void FillSurface(const carving::Decimation& decimation, const carving::Decimated
   FillCellArray(surface.Triangles, triangles);
   output->SetPolys(triangles);
   vtkFieldData* fieldData = output->GetFieldData();
-  AddFieldValue<vtkIntArray>(
-    fieldData, LevelArrays::Vertices, static_cast<int>(points.Points.size()));
-  AddFieldValue<vtkIntArray>(fieldData, LevelArrays::NewVertices,
-    static_cast<int>(std::count(points.PointSources.begin(), points.PointSources.end(), -1)));
-  AddFieldValue<vtkIntArray>(
-    fieldData, LevelArrays::Triangles, static_cast<int>(surface.Triangles.size()));
+  AddFieldValue<vtkIdTypeArray>(
+    fieldData, LevelArrays::Vertices, static_cast<vtkIdType>(points.Points.size()));
+  AddFieldValue<vtkIdTypeArray>(fieldData, LevelArrays::NewVertices,
+    static_cast<vtkIdType>(std::count(points.PointSources.begin(), points.PointSources.end(), -1)));
+  AddFieldValue<vtkIdTypeArray>(
+    fieldData, LevelArrays::Triangles, static_cast<vtkIdType>(surface.Triangles.size()));
   AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, result.Error);
 }
 
@@ -106,8 +105,11 @@ void vtkEnclosingDecimation::AddTarget(double target)
 
 void vtkEnclosingDecimation::ClearTargets()
 {
-  this->AllTargets.clear();
-  this->Modified();
+  if (!this->AllTargets.empty())
+  {
+    this->AllTargets.clear();
+    this->Modified();
+  }
 }
 
 void vtkEnclosingDecimation::SetTarget(double target)
@@ -146,8 +148,22 @@ int vtkEnclosingDecimation::RequestData(
   {
     this->SetAbortExecute(0); // not every version of the pipeline resets the request
   }
-  vtkPolyData* input = vtkPolyData::GetData(in[0]);
   vtkMultiBlockDataSet* all = vtkMultiBlockDataSet::GetData(out, 1);
+  const bool good =
+    WithinMemory(this, "", [&] { return this->Decimate(vtkPolyData::GetData(in[0]), all); });
+  if (!good)
+  {
+    all->Initialize();
+  }
+  else if (all->GetNumberOfBlocks() > 0)
+  {
+    vtkPolyData::GetData(out, 0)->ShallowCopy(all->GetBlock(0));
+  }
+  return good ? 1 : 0;
+}
+
+bool vtkEnclosingDecimation::Decimate(vtkPolyData* input, vtkMultiBlockDataSet* surfaces)
+{
   CarverInput gathered;
   std::string error = gathered.Gather(input);
   if (!error.empty() || gathered.IsEmpty() || this->AllTargets.empty())
@@ -173,12 +189,12 @@ int vtkEnclosingDecimation::RequestData(
   this->WasAborted = IsAborted(this);
   if (outcome == HelperProcess::Outcome::Aborted)
   {
-    return 1;
+    return true;
   }
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
-    return 0;
+    return false;
   }
   for (std::size_t i = job.Decimation.Targets.size(); i-- > 0;)
   {
@@ -193,18 +209,17 @@ int vtkEnclosingDecimation::RequestData(
     }
     vtkNew<vtkPolyData> level;
     FillSurface(origin, surface, input, level);
-    const unsigned int block = all->GetNumberOfBlocks();
-    all->SetBlock(block, level);
-    SetBlockName(all, block, "LOD " + std::to_string(block));
+    const unsigned int block = surfaces->GetNumberOfBlocks();
+    surfaces->SetBlock(block, level);
+    SetBlockName(surfaces, block, "LOD " + std::to_string(block));
   }
-  vtkPolyData::GetData(out, 0)->ShallowCopy(all->GetBlock(0));
-  return 1;
+  return true;
 }
 
 void vtkEnclosingDecimation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "TargetType: " << this->TargetType << "\n";
+  os << indent << "TargetType: " << TargetTypeNames[this->TargetType] << "\n";
   os << indent << "Targets:";
   for (const double target : this->AllTargets)
   {

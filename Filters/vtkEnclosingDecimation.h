@@ -47,6 +47,8 @@
 
 #include <vector> // for the targets
 
+class vtkMultiBlockDataSet;
+
 class VTKTOPOLOGYCARVING_EXPORT vtkEnclosingDecimation : public vtkPolyDataAlgorithm
 {
 public:
@@ -111,6 +113,9 @@ protected:
 private:
   vtkEnclosingDecimation(const vtkEnclosingDecimation&) = delete;
   void operator=(const vtkEnclosingDecimation&) = delete;
+
+  /** Fills a block for each target, from coarse to fine. Returns false after an error. */
+  bool Decimate(vtkPolyData* input, vtkMultiBlockDataSet* surfaces);
 
   std::vector<double> AllTargets = { 1000.0 };
   bool WasAborted = false; ///< by the last update

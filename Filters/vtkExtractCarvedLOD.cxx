@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractCarvedLOD.h"
 
+#include "Convert/IsSame.h"
 #include "Convert/LevelOutput.h"
 #include "Convert/ProfileInput.h"
 #include "Convert/StreamOutput.h"
 #include "Core/Measure/LevelSelection.h"
 #include "Objects/CompositeTree.h"
+#include "Objects/SetNumber.h"
 #include "Objects/TypedOutput.h"
 #include "Session/PreparedStreams.h"
+#include "Session/WithinMemory.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -36,14 +39,13 @@ vtkDataObject* GetInputOf(vtkAlgorithm* filter)
 
 } // namespace
 
-static_assert(vtkExtractCarvedLOD::VERTICES == static_cast<int>(carving::LevelTarget::Vertices) &&
-    vtkExtractCarvedLOD::TRIANGLES == static_cast<int>(carving::LevelTarget::Triangles) &&
-    vtkExtractCarvedLOD::FEATURE_SIZE == static_cast<int>(carving::LevelTarget::FeatureSize) &&
-    vtkExtractCarvedLOD::TUNNELS == static_cast<int>(carving::LevelTarget::Tunnels) &&
-    vtkExtractCarvedLOD::COMPONENTS == static_cast<int>(carving::LevelTarget::Components) &&
-    vtkExtractCarvedLOD::ERROR_BOUND == static_cast<int>(carving::LevelTarget::ErrorBound) &&
-    vtkExtractCarvedLOD::STEP == static_cast<int>(carving::LevelTarget::Step),
-  "the filter's targets are passed on as the core's");
+static_assert(IsSame(vtkExtractCarvedLOD::VERTICES, carving::LevelTarget::Vertices) &&
+  IsSame(vtkExtractCarvedLOD::TRIANGLES, carving::LevelTarget::Triangles) &&
+  IsSame(vtkExtractCarvedLOD::FEATURE_SIZE, carving::LevelTarget::FeatureSize) &&
+  IsSame(vtkExtractCarvedLOD::TUNNELS, carving::LevelTarget::Tunnels) &&
+  IsSame(vtkExtractCarvedLOD::COMPONENTS, carving::LevelTarget::Components) &&
+  IsSame(vtkExtractCarvedLOD::ERROR_BOUND, carving::LevelTarget::ErrorBound) &&
+  IsSame(vtkExtractCarvedLOD::STEP, carving::LevelTarget::Step));
 
 vtkStandardNewMacro(vtkExtractCarvedLOD);
 
@@ -120,18 +122,13 @@ int vtkExtractCarvedLOD::RequestInformation(
 //------------------------------------------------------------------------------
 void vtkExtractCarvedLOD::SetLevelTarget(double target)
 {
-  if (std::isnan(target))
-  {
-    vtkErrorMacro(<< "A level target cannot be " << target << ": it stays " << this->LevelTarget
-                  << ".");
-    return;
-  }
-  const double clamped = std::clamp(target, 0.0, VTK_DOUBLE_MAX);
-  if (clamped != this->LevelTarget)
-  {
-    this->LevelTarget = clamped;
-    this->Modified();
-  }
+  this->SetNumber("LevelTarget", target, this->LevelTarget);
+}
+
+//------------------------------------------------------------------------------
+void vtkExtractCarvedLOD::SetNumber(const char* name, double number, double& property)
+{
+  ::SetNumber(this, name, number, VTK_DOUBLE_MAX, property);
 }
 
 //------------------------------------------------------------------------------
@@ -200,7 +197,7 @@ int vtkExtractCarvedLOD::RequestData(
   auto* levels = vtkMultiBlockDataSet::SafeDownCast(output);
   const bool good = levels
     ? this->ExtractTree(vtkDataObject::GetData(in[0]), byTime ? &time : nullptr, levels)
-    : this->ExtractLeaf(vtkUnstructuredGrid::GetData(in[0]), byTime ? &time : nullptr,
+    : this->ExtractLeaf(vtkUnstructuredGrid::GetData(in[0]), "", byTime ? &time : nullptr,
         vtkPolyData::SafeDownCast(output));
   return good ? 1 : 0;
 }
@@ -222,7 +219,8 @@ bool vtkExtractCarvedLOD::ExtractTree(
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(child))
     {
       vtkNew<vtkPolyData> level;
-      this->ExtractLeaf(grid, time, level); // reports an error; the other leaves go on
+      // Reports an error; the other leaves go on.
+      this->ExtractLeaf(grid, children[i].Where(), time, level);
       levels->SetBlock(i, level);
     }
     else if (child && child->IsA("vtkCompositeDataSet"))
@@ -243,7 +241,15 @@ bool vtkExtractCarvedLOD::ExtractTree(
 
 //------------------------------------------------------------------------------
 bool vtkExtractCarvedLOD::ExtractLeaf(
-  vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level)
+  vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level)
+{
+  return WithinMemory(
+    this, where, [&] { return this->ExtractLeafUnguarded(grid, where, time, level); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkExtractCarvedLOD::ExtractLeafUnguarded(
+  vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level)
 {
   if (grid->GetNumberOfCells() == 0)
   {
@@ -252,7 +258,7 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
   PreparedStream& stream = this->Streams->Get(grid);
   if (!stream.Error.empty())
   {
-    vtkErrorMacro(<< stream.Error);
+    vtkErrorMacro(<< where << stream.Error);
     return false;
   }
   const bool inPlane = GetStreamDimension(grid) == 2;
@@ -261,7 +267,7 @@ bool vtkExtractCarvedLOD::ExtractLeaf(
     : this->ExtractCarved(grid, stream, time, level);
   if (!problem.empty())
   {
-    vtkWarningMacro(<< problem);
+    vtkWarningMacro(<< where << problem);
   }
   return true;
 }

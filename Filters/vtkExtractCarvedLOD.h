@@ -75,7 +75,7 @@ public:
   /**
    * The target that picks the level: a number of vertices, triangles, tunnels or components, a
    * length, or a step. At least 0, default 1000. A target that no level meets gives the nearest
-   * level and a warning; NaN is refused.
+   * level and a warning. A number that is not finite is refused with an error.
    */
   void SetLevelTarget(double target);
   vtkGetMacro(LevelTarget, double);
@@ -162,6 +162,9 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override;
 
+  /** Sets a property to a number of at least 0; refuses one that is not finite with an error. */
+  void SetNumber(const char* name, double number, double& property);
+
   /** The least target that is in the range of every leaf; 0 without an input. */
   double GetLeastCommonTarget(int type);
 
@@ -182,9 +185,14 @@ private:
 
   /**
    * Extract the level for a time, or for the target if `time` is null. Return false after an error.
+   * `where` begins the leaf's messages.
    */
-  bool ExtractLeaf(vtkUnstructuredGrid* grid, const double* time, vtkPolyData* level);
+  bool ExtractLeaf(
+    vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level);
   bool ExtractTree(vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels);
+  /** As ExtractLeaf, but may throw std::bad_alloc. */
+  bool ExtractLeafUnguarded(
+    vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level);
   /** Extract a step of the carving, or a simplified level. Return why the target is not met. */
   std::string ExtractCarved(
     vtkUnstructuredGrid* grid, PreparedStream& stream, const double* time, vtkPolyData* level);

@@ -8,7 +8,9 @@
  * hull C0. It then carves the tetrahedra away, those with the longest edge first, until M appears.
  * One run gives a stream of approximations C0, C1, ..., Cn = M in which components split off and
  * tunnels open one after the other. Each approximation encloses M, is part of the one before it,
- * does not cross itself and has vertices of M only.
+ * does not cross itself and, except for points at which triangles of M cross, has vertices of M
+ * only. (Conformity, SnapTolerance, InitialApproximation and LevelSimplification say where other
+ * vertices come in.)
  *
  * - input: vtkPolyData, the mesh M
  * - output port 0: vtkMultiBlockDataSet, the levels "LOD 0" (coarsest), "LOD 1", ...
@@ -158,10 +160,10 @@ public:
   vtkTypeMacro(vtkTopologyCarver, vtkCarverAlgorithm);
 
   /**
-   * Counts the pairs of triangles of a mesh that cross or overlap each other, after points that are
-   * equal have been merged; at most 10 million. The helper program does the work. Returns -1 after an error, which is
-   * reported, such as that no triangle has an area. The properties, inputs and outputs of the
-   * filter play no part.
+   * Counts the pairs of triangles of a mesh that cross or overlap each other after equal points have
+   * been merged. Counting ends at 10 million pairs. The helper program does the work. Returns -1
+   * after an error, which is reported, such as that no triangle has an area. The properties, inputs
+   * and outputs of the filter play no part.
    */
   int CountIntersectingPairs(vtkPolyData* mesh);
 

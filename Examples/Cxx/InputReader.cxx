@@ -86,7 +86,7 @@ std::string ReadInput(
   error = error.empty() ? read(fileName, log, meshes) : error;
   if (error.empty() && meshes->GetNumberOfBlocks() == 0)
   {
-    error = "it holds no polygon, or is not of the format that its name says";
+    error = "it contains no polygon, or is not of the format that its name says";
   }
   const bool isSingle =
     meshes->GetNumberOfBlocks() == 1 && vtkPolyData::SafeDownCast(meshes->GetBlock(0));

@@ -15,7 +15,9 @@ namespace LevelTable
  */
 void Print(const Options& options, vtkMultiBlockDataSet* output);
 
-/** The number of tetrahedra (in the plane, triangles) of a stream, and the strategy that made them. */
+/**
+ * The number of tetrahedra (in the plane, triangles) of a stream, and the strategy that made them.
+ */
 void PrintStream(vtkUnstructuredGrid* stream, bool contours);
 
 } // namespace LevelTable

@@ -154,7 +154,7 @@ std::string WriteLevels(const std::string& fileName, vtkMultiBlockDataSet* level
       extension == ".vtp" ? "" : CheckLevel(levelName, log, warnings); // .vtp keeps doubles
     if (!error.empty())
     {
-      return levelName + " (read again: " + error + ")";
+      return levelName + " (read again with the format's precision: " + error + ")";
     }
   }
   return {};

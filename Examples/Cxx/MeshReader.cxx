@@ -53,22 +53,30 @@ std::string ReadCarefullyWith(const std::string& fileName, ErrorLog* log, vtkPol
 
 std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
 {
-  const std::string mistake = ObjFile::FindMistake(fileName);
-  if (mistake.empty())
+  const auto [mistake, isUnusual] = ObjFile::Check(fileName);
+  if (mistake.empty() && !isUnusual)
   {
     return ReadWith<vtkOBJReader>(fileName, log, mesh);
   }
   const TemporaryFile copy("carve-input");
+  if (!copy.IsOpen())
+  {
+    return "no file for a copy could be opened in " + TemporaryFile::GetPlace();
+  }
   std::ofstream out(copy.GetPath(), std::ios::binary);
-  ObjFile::CopyWithoutAttributes(fileName, out);
+  const auto copyTo = mistake.empty() ? &ObjFile::Copy : &ObjFile::CopyWithoutAttributes;
+  copyTo(fileName, out);
   out.close();
   if (!out)
   {
     return "there is not enough room for a copy in " + TemporaryFile::GetPlace();
   }
-  log->Warnings.push_back("Texture coordinates, normals and faces of fewer than three corners are "
-                          "left out: " +
-    mistake + ".");
+  if (!mistake.empty())
+  {
+    log->Warnings.push_back("Texture coordinates, normals and faces of fewer than three corners "
+                            "are left out: " +
+      mistake + ".");
+  }
   return ReadWith<vtkOBJReader>(copy.GetPath(), log, mesh);
 }
 
@@ -210,7 +218,7 @@ std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, 
     !(hasLines && wanted == Wanted::Contours))
   {
     return hasLines ? "it holds lines and no polygon; for contours in a plane there is --contours"
-                    : "it holds no polygon, or is not of the format that its name says";
+                    : "it contains no polygon, or is not of the format that its name says";
   }
   return error;
 }

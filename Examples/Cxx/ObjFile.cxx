@@ -18,6 +18,51 @@ using Counts = std::array<long, std::size(Kinds)>;
 
 constexpr const char* Blank = " \t\r";
 
+/** Reads a file line by line, without a byte order mark and with continued lines joined. */
+class LineReader
+{
+public:
+  explicit LineReader(const std::string& fileName)
+    : In(fileName)
+  {
+  }
+
+  /** Returns false at the end of the file. */
+  bool Read(std::string& line)
+  {
+    line.clear();
+    bool continues = true;
+    bool isRead = false;
+    for (std::string part; continues && std::getline(this->In, part); isRead = true)
+    {
+      const std::string mark = "\xEF\xBB\xBF";
+      const bool isMarked = this->Number++ == 0 && part.compare(0, mark.size(), mark) == 0;
+      part.erase(0, isMarked ? mark.size() : 0);
+      part.erase(part.find_last_not_of('\r') + 1);
+      continues = !part.empty() && part.back() == '\\';
+      part.erase(part.size() - (continues ? 1 : 0));
+      this->Unusual = this->Unusual || isMarked || continues;
+      line += part;
+    }
+    return isRead;
+  }
+
+  /** The number of lines so far. */
+  long GetNumber() const
+  {
+    return this->Number;
+  }
+  bool IsUnusual() const
+  {
+    return this->Unusual;
+  }
+
+private:
+  std::ifstream In;
+  long Number = 0;
+  bool Unusual = false;
+};
+
 /** Takes the next word from a line; an empty one at its end. */
 std::string_view TakeWord(std::string_view& line)
 {
@@ -52,9 +97,9 @@ bool ReadReferences(std::string_view corner, Counts& references)
 class FaceCheck
 {
 public:
-  void Add(std::string_view line)
+  void Add(std::string_view line, long number)
   {
-    ++this->Line;
+    this->Line = number;
     const std::string_view keyword = TakeWord(line);
     this->Seen[0] += keyword == "vt";
     this->Seen[1] += keyword == "vn";
@@ -137,21 +182,30 @@ void CopyFace(std::string_view corners, std::ostream& out)
 
 } // namespace
 
-std::string ObjFile::FindMistake(const std::string& fileName)
+ObjFile::Content ObjFile::Check(const std::string& fileName)
 {
   FaceCheck check;
-  std::ifstream in(fileName);
-  for (std::string line; std::getline(in, line);)
+  LineReader in(fileName);
+  for (std::string line; in.Read(line);)
   {
-    check.Add(line);
+    check.Add(line, in.GetNumber());
   }
-  return check.GetMistake();
+  return { check.GetMistake(), in.IsUnusual() };
+}
+
+void ObjFile::Copy(const std::string& fileName, std::ostream& out)
+{
+  LineReader in(fileName);
+  for (std::string line; in.Read(line);)
+  {
+    out << line << '\n';
+  }
 }
 
 void ObjFile::CopyWithoutAttributes(const std::string& fileName, std::ostream& out)
 {
-  std::ifstream in(fileName);
-  for (std::string line; std::getline(in, line); out << '\n')
+  LineReader in(fileName);
+  for (std::string line; in.Read(line); out << '\n')
   {
     std::string_view rest = line;
     const std::string_view keyword = TakeWord(rest);

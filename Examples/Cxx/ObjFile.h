@@ -5,19 +5,28 @@
 #include <ostream>
 #include <string>
 
-/** Mistakes in Wavefront files (OBJ) on which VTK's reader crashes or gives up. */
+/** Wavefront files (OBJ) that VTK's reader misreads, or on which it crashes or gives up. */
 namespace ObjFile
 {
 
-/**
- * Describes a face that has fewer than three corners, or refers to texture coordinates or normals
- * that the file does not have, or counts them backward. Returns an empty string if there is none.
- */
-std::string FindMistake(const std::string& fileName);
+struct Content
+{
+  /**
+   * Describes a face that has fewer than three corners, or refers to texture coordinates or normals
+   * that the file does not have, or counts them backward. Empty if there is none.
+   */
+  std::string Mistake;
+  /** Whether the file has a byte order mark, or lines that a backslash continues. */
+  bool IsUnusual = false;
+};
+
+Content Check(const std::string& fileName);
+
+/** Copies a file without a byte order mark, with continued lines joined. */
+void Copy(const std::string& fileName, std::ostream& out);
 
 /**
- * Copies a file without its texture coordinates and normals, and without faces of fewer than three
- * corners. Everything else keeps its line.
+ * The same without texture coordinates and normals, and without faces of fewer than three corners.
  */
 void CopyWithoutAttributes(const std::string& fileName, std::ostream& out);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 namespace
@@ -34,10 +35,15 @@ std::string ReadOff(const std::string& fileName, OffMesh& mesh)
   std::ifstream in(fileName);
   std::istringstream line;
   std::string header;
-  if (!NextLine(in, line) || !(line >> header) || header.size() < 3 ||
-    header.compare(header.size() - 3, 3, "OFF") != 0)
+  // Texture coordinates, colors and normals, which the letters announce, follow the coordinates.
+  if (!NextLine(in, line) || !(line >> header) ||
+    !std::regex_match(header, std::regex("(\xEF\xBB\xBF)?(ST)?C?N?OFF")))
   {
-    return "it does not begin with OFF";
+    return "it does not begin with OFF, or is not in space";
+  }
+  if (line.str().find("BINARY") != std::string::npos)
+  {
+    return "it is binary: save it as text";
   }
   // The counts may follow on the header's line.
   long long numberOfPoints = -1, numberOfFaces = -1;
@@ -69,9 +75,14 @@ std::string ReadOff(const std::string& fileName, OffMesh& mesh)
     for (int k = 0; k < size; ++k)
     {
       long long corner = -1;
-      if (!(line >> corner) || corner < 0 || corner >= numberOfPoints)
+      if (!(line >> corner))
       {
-        return "face " + std::to_string(i) + " names a point that there is not";
+        return "face " + std::to_string(i) + " has fewer corners than its first number says";
+      }
+      if (corner < 0 || corner >= numberOfPoints)
+      {
+        return "face " + std::to_string(i) + " refers to point " + std::to_string(corner) +
+          ", which does not exist";
       }
       face.push_back(static_cast<int>(corner));
     }

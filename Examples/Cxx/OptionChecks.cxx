@@ -28,7 +28,7 @@ std::string CheckDecimation(const Options& options)
 {
   if (!options.Decimate)
   {
-    return options.Nested ? "--nested wants --decimate" : "";
+    return options.Nested ? "--nested requires --decimate" : "";
   }
   const std::string other = !options.CarvingOption.empty() ? options.CarvingOption
     : options.Simplifies()                                 ? "--simplify"
@@ -44,7 +44,7 @@ std::string CheckDecimation(const Options& options)
       options.TargetType == vtkTopologyCarver::TRIANGLES ||
       options.TargetType == vtkTopologyCarver::ERROR_BOUND
     ? ""
-    : "--decimate wants --vertices, --triangles or --error-bound";
+    : "--decimate requires --vertices, --triangles or --error-bound";
 }
 
 /** Returns an empty string, or a description of options that several inputs exclude. */
@@ -75,7 +75,7 @@ std::string CheckOutput(const Options& options)
 {
   if (!options.WritesFolder())
   {
-    return !options.Format.empty() ? "--format wants -o FOLDER/" : "";
+    return !options.Format.empty() ? "--format requires -o FOLDER/" : "";
   }
   std::map<std::string, std::string> inputs;
   for (const std::string& input : options.Inputs)
@@ -121,22 +121,22 @@ std::string CheckCombination(const Options& options)
   }
   if (options.Properties.count("MaximumVertices") > 0 && !options.Simplifies())
   {
-    return "--maximum-vertices wants --simplify";
+    return "--maximum-vertices requires --simplify";
   }
   const auto initial = options.Properties.find("InitialApproximation");
   if (initial != options.Properties.end() && initial->second == vtkTopologyCarver::CUSTOM &&
     options.InitialMesh.empty())
   {
-    return "--initial-approximation custom wants --initial-mesh FILE";
+    return "--initial-approximation custom requires --initial-mesh FILE";
   }
   if (IsStream(options.Inputs[0]) && !options.CarvingOption.empty())
   {
-    return options.CarvingOption + " wants a mesh: " + options.Inputs[0] +
+    return options.CarvingOption + " requires a mesh: " + options.Inputs[0] +
       " has been carved already";
   }
   if (IsStream(options.Inputs[0]) && options.Simplifies() && options.Targets.empty())
   {
-    return "--simplify wants --vertices or another way to pick levels of a stored stream";
+    return "--simplify requires --vertices or another way to pick levels of a stored stream";
   }
   return {};
 }

@@ -37,13 +37,13 @@ std::string ParseTargets(int type, const std::string& text, std::vector<double>&
     if (!ToNumber(item, target) ||
       (length ? target <= 0.0 : target < smallest || target != std::floor(target)))
     {
-      return "--" + name + " wants " + (length ? "lengths above 0" : "whole numbers") +
+      return "--" + name + " requires " + (length ? "lengths above 0" : "whole numbers") +
         (!length && smallest > 0.0 ? " above 0" : "") + " with commas between, not \"" + text +
         "\"";
     }
     targets.push_back(target);
   }
-  return targets.empty() ? "--" + name + " wants a number" : "";
+  return targets.empty() ? "--" + name + " requires a number" : "";
 }
 
 /** Whether a number of vertices can limit the levels that targets of a type pick. */
@@ -132,12 +132,12 @@ std::string ParseValue(const std::string& option, const vtkCarverProperty& prope
   {
     const bool good = ToNumber(text, value) && value >= property.Least &&
       value <= property.Greatest && (!property.IsInteger || value == std::floor(value));
-    return good ? "" : option + " wants " + DescribeRange(property) + ", not \"" + text + "\"";
+    return good ? "" : option + " requires " + DescribeRange(property) + ", not \"" + text + "\"";
   }
   const auto found = std::find_if(property.Choices.begin(), property.Choices.end(),
     [&](const std::string& choice) { return ToOption(choice) == text; });
   value = static_cast<double>(found - property.Choices.begin());
   return found != property.Choices.end()
     ? ""
-    : option + " wants " + ListChoices(property) + ", not \"" + text + "\"";
+    : option + " requires " + ListChoices(property) + ", not \"" + text + "\"";
 }

@@ -57,7 +57,7 @@ void AddFileOptions(Options& options, std::vector<KnownOption>& known)
     {
       options.Stream = value;
       options.CarvingOption = "--stream";
-      return IsStream(value) ? "" : "--stream wants a name that ends in .vtu";
+      return IsStream(value) ? "" : "--stream requires a name that ends in .vtu";
     } });
   known.push_back({ "profile", required_argument,
     [&](const std::string& value)
@@ -66,13 +66,13 @@ void AddFileOptions(Options& options, std::vector<KnownOption>& known)
       const std::string extension = FileName::GetExtension(value);
       return extension == ".csv" || extension == ".png"
         ? ""
-        : "--profile wants a name that ends in .csv or .png";
+        : "--profile requires a name that ends in .csv or .png";
     } });
   known.push_back({ "json", required_argument,
     [&](const std::string& value)
     {
       options.Json = value;
-      return value.empty() ? "--json wants a name, or - for standard output" : "";
+      return value.empty() ? "--json requires a name, or - for standard output" : "";
     } });
   known.push_back({ "initial-mesh", required_argument,
     [&](const std::string& value)
@@ -206,7 +206,7 @@ std::string TakeOptions(int argc, char* argv[], Options& options)
     const bool isKnown = found == 'o' || found >= firstValue;
     const std::string error = isKnown
       ? known[found == 'o' ? 0 : found - firstValue].Take(optarg ? optarg : "")
-      : found == ':' ? "the option " + GetOffender(argv) + " wants a value"
+      : found == ':' ? "the option " + GetOffender(argv) + " requires a value"
                      : "unknown option " + GetOffender(argv);
     if (!error.empty())
     {

@@ -7,8 +7,8 @@
 #include <string>
 
 /**
- * For VTK's readers that crash on many broken files. `read` returns an empty string, or an error. On
- * Linux, `read` is called in a copy of this process first.
+ * For VTK's readers that crash on many broken files. `read` returns an empty string, or an error.
+ * On Linux, `read` is called in a copy of this process first.
  */
 template <class Read>
 std::string ReadCarefully(const Read& read)

@@ -14,6 +14,7 @@
 
 #include <cstdio>
 #include <future>
+#include <utility>
 
 namespace
 {
@@ -94,7 +95,7 @@ void Print(const Report& report)
 int Finish(const Options& options, ErrorLog* log, Report& report)
 {
   report.Errors = log->Errors;
-  report.Warnings = log->Warnings;
+  report.Warnings = std::exchange(log->Warnings, {});
   if (!report.Errors.empty() && ListObjects(options.Inputs, report.Levels).size() == 1)
   {
     return ExitCode::Fail(report.Errors.front());
@@ -104,6 +105,7 @@ int Finish(const Options& options, ErrorLog* log, Report& report)
     ExitCode::Fail(error);
   }
   const std::string unwritten = WriteFiles(options, log, report);
+  report.Warnings.insert(report.Warnings.end(), log->Warnings.begin(), log->Warnings.end());
   if (!options.IsQuiet())
   {
     LevelTable::Print(options, report.Levels);

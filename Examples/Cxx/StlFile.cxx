@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <fstream>
 
@@ -20,7 +21,8 @@ using Head = std::array<unsigned char, BytesOfTitle + BytesOfCount>;
 bool IsText(const Head& head)
 {
   const std::string word = "solid";
-  return std::equal(word.begin(), word.end(), head.begin()) &&
+  return std::equal(word.begin(), word.end(), head.begin(),
+           [](char expected, unsigned char c) { return std::tolower(c) == expected; }) &&
     std::find(head.begin(), head.end(), 0) == head.end();
 }
 

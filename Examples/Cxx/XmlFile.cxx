@@ -36,8 +36,9 @@ bool Save(const std::string& fileName, vtkXMLWriter* writer)
 }
 
 /**
- * Saves the files of all blocks in the same way, one after the other. Several writers at a time would
- * crash: a writer stores the ranges of arrays in the arrays, and levels share those of field data.
+ * Saves the files of all blocks in the same way, one after the other. Several writers at a time
+ * would crash: a writer stores the ranges of arrays in the arrays, and levels share those of field
+ * data.
  */
 class MultiBlockWriter : public vtkXMLMultiBlockDataWriter
 {

@@ -169,7 +169,7 @@ std::string ReadInitialMesh(const Options& options, ErrorLog* log, vtkCarverAlgo
   const std::string error = Read(options, options.InitialMesh, log, initial);
   if (error.empty() && !initial->IsA("vtkPolyData"))
   {
-    return "--initial-mesh wants a single mesh, and " + options.InitialMesh + " has several";
+    return "--initial-mesh requires a single mesh, and " + options.InitialMesh + " has several";
   }
   carver->SetInputDataObject(1, initial);
   return error;

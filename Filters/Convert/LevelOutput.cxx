@@ -119,7 +119,7 @@ int FillStreamPoints(const carving::ResolvedInput<D>& resolved, const std::vecto
     pointIds->SetId(i, point);
     const bool first = i == 0 || ids[i - 1] != point; // copies of a point are neighbors
     newVertices +=
-      first && (resolved.PointSources[point] < 0 || (moved && moved->GetTuple1(point) > 0.0));
+      first && (resolved.PointSources[point] < 0 || (moved && moved->GetComponent(point, 0) > 0.0));
   }
   output->SetPoints(points);
   CopyTuples(grid->GetPointData(), pointIds, output->GetPointData());

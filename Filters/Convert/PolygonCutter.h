@@ -16,9 +16,9 @@
 #include <vector>
 
 /**
- * Cuts polygons into triangles: into those of vtkTriangleFilter, which users expect, unless those of
- * vtkContourTriangulator overlap less. The latter handles holes, and takes less time for polygons of
- * very many corners. The two differ where corners are not in one plane.
+ * Cuts polygons into triangles: into those of vtkTriangleFilter, which users expect, unless those
+ * of vtkContourTriangulator overlap less. The latter handles holes, and takes less time for
+ * polygons of very many corners. The two differ where corners are not in one plane.
  */
 class PolygonCutter
 {

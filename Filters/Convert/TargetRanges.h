@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * The ranges of level targets, in the field data of the stored stream. vtkTopologyCarver.h documents
- * the array. Processes that do not have the stream know its ranges by this array alone.
+ * The ranges of level targets, in the field data of the stored stream. vtkTopologyCarver.h
+ * documents the array. Processes that do not have the stream know its ranges by this array alone.
  */
 #ifndef TargetRanges_h
 #define TargetRanges_h

@@ -16,6 +16,12 @@ struct CompositeChild
 {
   vtkDataObject* Data; ///< null for a null child
   std::string Name;    ///< empty if the child has no name
+
+  /** The words with which messages about the child begin. */
+  std::string Where() const
+  {
+    return this->Name.empty() ? "" : "Block " + this->Name + ": ";
+  }
 };
 
 /**

@@ -190,8 +190,8 @@ std::string WriteJob(const carving::Job& job, const TemporaryFile& file)
   carving::Write(out, job);
   out.close();
   return out ? ""
-             : "There is not enough room to hand the mesh to the helper program, in " +
-      TemporaryFile::GetPlace() + ".";
+             : "There is not enough room in " + TemporaryFile::GetPlace() +
+      " to hand the mesh to the helper program. Make room, or use a smaller mesh.";
 }
 
 /** Reads the reply. Returns an empty string, or an error. */

@@ -15,8 +15,8 @@
 
 /**
  * A run of carving-helper. The environment variable TOPOLOGYCARVING_HELPER names the program;
- * without it, the program is the one that was built or installed with this library. On Linux, no file
- * is written to a disk; elsewhere, temporary files are, which vanish with this object.
+ * without it, the program is the one that was built or installed with this library. On Linux, no
+ * file is written to a disk; elsewhere, temporary files are, which vanish with this object.
  */
 class VTKTOPOLOGYCARVING_EXPORT HelperProcess
 {

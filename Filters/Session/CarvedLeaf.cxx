@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/CarvedLeaf.h"
 
-#include "Convert/InitialDistance.h"
+#include "Core/Carving/CellDistances.h"
 #include "Core/Measure/StreamError.h"
 #include "Core/Measure/StreamTopology.h"
 #include "Core/Mesh/ForEach.h"
@@ -34,7 +34,7 @@ bool Carve(const carving::Decomposition<D>& mesh, const carving::Classification&
   options.Threads = settings.ThreadsOfLeaf;
   if (settings.DepthIsDistance)
   {
-    options.Depths = ComputeInitialDistances(mesh);
+    options.Depths = carving::MeasureDepths(mesh, settings.ThreadsOfLeaf);
   }
   return carving::Carve(mesh, regions, options, stream,
     [&stages](double fraction) { return stages.Report(CarveStage, fraction); });

@@ -34,7 +34,7 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
   }
   AddLines("An attempt failed. ", reply.Attempts, "", notes);
   AddLines("The result depends on a limit: ", reply.Limits,
-    ". With a higher limit, the result might be another.", notes);
+    ". With a higher limit, the result might differ.", notes);
   if (reply.InteriorDropped > 0)
   {
     notes.push_back(std::to_string(reply.InteriorDropped) +

@@ -6,6 +6,7 @@
 #include "Session/CarvedLeaf.h"
 #include "Session/LeafOutput.h"
 #include "Session/SimplifyLevels.h"
+#include "Session/WithinMemory.h"
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -25,7 +26,7 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   bool good = false;
   if (auto* polyData = vtkPolyData::SafeDownCast(input))
   {
-    this->Stages.Start(1);
+    this->Stages.Start(1, settings.Simplify);
     this->Settings.ThreadsOfLeaf = settings.NumberOfThreads;
     this->Leaves.Start({ polyData }, initial, settings, 1, this->Settings.ThreadsOfLeaf);
     good = this->UpdateLeaf(polyData, "", ports);
@@ -33,7 +34,7 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
   else
   {
     const auto leaves = vtkCompositeDataSet::GetDataSets<vtkPolyData>(input);
-    this->Stages.Start(static_cast<int>(leaves.size()));
+    this->Stages.Start(static_cast<int>(leaves.size()), settings.Simplify);
     const int numberOfLeaves = std::max(1, static_cast<int>(leaves.size()));
     this->Settings.ThreadsOfLeaf = std::max(1, settings.NumberOfThreads / numberOfLeaves);
     this->Leaves.Start(
@@ -53,12 +54,28 @@ template <int D>
 bool CarverSession<D>::UpdateLeaf(
   vtkPolyData* input, const std::string& where, const CarverPorts& ports)
 {
+  const bool good = WithinMemory(
+    this->Filter, where, [&] { return this->UpdateLeafUnguarded(input, where, ports); });
+  if (!good)
+  {
+    for (vtkDataObject* output : ports.GetAll())
+    {
+      output->Initialize();
+    }
+  }
+  return good;
+}
+
+template <int D>
+bool CarverSession<D>::UpdateLeafUnguarded(
+  vtkPolyData* input, const std::string& where, const CarverPorts& ports)
+{
   const auto leaf = this->Leaves.Get(input, where);
   if (!leaf)
   {
     return false;
   }
-  LeafOutput<D> output(this->Filter, this->Settings, this->Stages, ports);
+  LeafOutput<D> output(this->Filter, where, this->Settings, this->Stages, ports);
   if (leaf->Empty)
   {
     output.WriteEmpty(input, *leaf);
@@ -137,8 +154,7 @@ void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int ind
   {
     stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
     profile = vtkSmartPointer<vtkTable>::New();
-    const std::string where = child.Name.empty() ? "" : "Block " + child.Name + ": ";
-    this->UpdateLeaf(leaf, where, { levels, stream, profile });
+    this->UpdateLeaf(leaf, child.Where(), { levels, stream, profile });
   }
   else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))
   {

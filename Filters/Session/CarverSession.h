@@ -65,8 +65,10 @@ public:
     const CarverPorts& ports) override;
 
 private:
-  /** `where` begins the leaf's messages. */
+  /** `where` begins the leaf's messages. After an error, the ports are empty. */
   bool UpdateLeaf(vtkPolyData* input, const std::string& where, const CarverPorts& ports);
+  /** The same, but may throw std::bad_alloc, and leave ports half filled. */
+  bool UpdateLeafUnguarded(vtkPolyData* input, const std::string& where, const CarverPorts& ports);
   /** Makes simplified levels if the settings say so. Returns false if the filter is to stop. */
   bool Simplify(const DecomposedLeaf<D>& leaf, const std::string& where, CarvedLeaf<D>& carved);
   bool UpdateTree(vtkDataObject* input, const CarverPorts& ports);

@@ -12,9 +12,14 @@ namespace
 
 constexpr const char* OwnStageNames[] = { "transfer", "carve", "measure", "simplify", "output" };
 
-/** The fraction of an update at which each stage begins; typical for a mesh of medium size. */
-constexpr double StageBegins[NumberOfCarverStages + 1] = { 0.0, 0.02, 0.2, 0.2, 0.8, 0.82, 0.86,
-  0.9, 0.93, 0.93, 1.0 };
+/**
+ * The fraction of an update at which each stage begins, without and with simplified levels; typical
+ * for a mesh of medium size.
+ */
+constexpr double StageBegins[2][NumberOfCarverStages + 1] = {
+  { 0.0, 0.02, 0.2, 0.2, 0.8, 0.82, 0.86, 0.9, 0.93, 0.93, 1.0 },
+  { 0.0, 0.005, 0.03, 0.03, 0.15, 0.155, 0.16, 0.17, 0.18, 0.98, 1.0 },
+};
 
 } // namespace
 
@@ -33,17 +38,18 @@ bool IsAborted(vtkAlgorithm* filter)
 #endif
 }
 
-void CarverStages::Start(int numberOfLeaves)
+void CarverStages::Start(int numberOfLeaves, bool simplifies)
 {
   this->Seconds.fill(0.0);
   this->NumberOfLeaves = std::max(1, numberOfLeaves);
   this->LeavesDone = 0;
+  this->Simplifies = simplifies;
 }
 
 bool CarverStages::Report(int stage, double fraction, const std::string& attempt)
 {
-  const double begin = StageBegins[stage];
-  const double ofLeaf = begin + fraction * (StageBegins[stage + 1] - begin);
+  const double* begins = StageBegins[this->Simplifies];
+  const double ofLeaf = begins[stage] + fraction * (begins[stage + 1] - begins[stage]);
   const double ofAll = (this->LeavesDone + ofLeaf) / this->NumberOfLeaves;
   const std::string name = GetCarverStageName(stage);
   this->Filter->SetProgressText((attempt.empty() ? name : name + ": " + attempt).c_str());

@@ -39,8 +39,11 @@ public:
   {
   }
 
-  /** Begins an update of `numberOfLeaves` leaves, each with the same share of the progress. */
-  void Start(int numberOfLeaves);
+  /**
+   * Begins an update of `numberOfLeaves` leaves, each with the same share of the progress. Where
+   * the update simplifies levels, most of the progress is that of this stage.
+   */
+  void Start(int numberOfLeaves, bool simplifies);
   void FinishLeaf()
   {
     ++this->LeavesDone;
@@ -90,6 +93,7 @@ private:
   std::array<double, NumberOfCarverStages> Seconds = {};
   int NumberOfLeaves = 1;
   int LeavesDone = 0;
+  bool Simplifies = false;
 };
 
 #endif

@@ -140,7 +140,7 @@ std::vector<int> LeafOutput<D>::SelectSteps(const carving::Profile& profile)
       carving::SelectStep(profile, this->Settings.TargetType, target);
     if (!selected.Problem.empty())
     {
-      vtkWarningWithObjectMacro(this->Filter, << selected.Problem);
+      vtkWarningWithObjectMacro(this->Filter, << this->Where << selected.Problem);
     }
     steps.push_back(selected.Step);
   }
@@ -213,7 +213,7 @@ bool LeafOutput<D>::WriteSimplifiedLevels(const CarvedLeaf<D>& carved, vtkUnstru
     }
     if (!problem.empty())
     {
-      vtkWarningWithObjectMacro(this->Filter, << problem);
+      vtkWarningWithObjectMacro(this->Filter, << this->Where << problem);
     }
     this->SetLevel(static_cast<unsigned int>(i), level);
     if (!this->Stages.Report(OutputStage, (i + 1.0) / (targets.size() + 1.0)))

@@ -9,6 +9,7 @@
 #include "Session/CarvedLeaf.h"
 #include "Session/CarverPorts.h"
 
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -21,9 +22,11 @@ template <int D>
 class LeafOutput
 {
 public:
-  LeafOutput(vtkAlgorithm* filter, const CarverSettings& settings, CarverStages& stages,
-    const CarverPorts& ports)
+  /** `where` begins the messages. */
+  LeafOutput(vtkAlgorithm* filter, const std::string& where, const CarverSettings& settings,
+    CarverStages& stages, const CarverPorts& ports)
     : Filter(filter)
+    , Where(where)
     , Settings(settings)
     , Stages(stages)
     , Ports(ports)
@@ -54,6 +57,7 @@ private:
   void SetLevel(unsigned int index, vtkPolyData* level);
 
   vtkAlgorithm* Filter;
+  const std::string& Where;
   const CarverSettings& Settings;
   CarverStages& Stages;
   const CarverPorts& Ports;

@@ -21,8 +21,8 @@ bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTar
 }
 
 /**
- * Whether the error tells how good a surface is, rather than the number of vertices: the surface has
- * reached a number, or is too far for an error bound.
+ * Whether the error tells how good a surface is, rather than the number of vertices: the surface
+ * has reached a number, or is too far for an error bound.
  */
 bool IsByError(const SimplifiedTarget& target, const DecimatedSurface& surface)
 {
@@ -33,8 +33,8 @@ bool IsByError(const SimplifiedTarget& target, const DecimatedSurface& surface)
 constexpr double Clearly = 0.98;
 
 /**
- * The error by which a surface is compared. One that was made for a smaller number than the target's
- * has to be clearly closer, or a run would give the same level twice for next to nothing.
+ * The error by which a surface is compared. One that was made for a smaller number than the
+ * target's has to be clearly closer, or a run would give the same level twice for next to nothing.
  */
 double ComparedError(const SimplifiedTarget& target, const BestTrial& choice)
 {
@@ -56,7 +56,9 @@ bool IsBetter(const SimplifiedTarget& target, const BestTrial& a, const BestTria
     : CountVertices(*a.Trial, *a.Surface) < CountVertices(*b.Trial, *b.Surface);
 }
 
-/** Whether a coarser surface of the same trial is better: clearly closer, where both reach a number. */
+/**
+ * Whether a coarser surface of the same trial is better: clearly closer, where both reach a number.
+ */
 bool IsCoarserBetter(
   const SimplifiedTarget& target, const BestTrial& coarser, const BestTrial& finer)
 {

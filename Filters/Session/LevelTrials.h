@@ -39,8 +39,8 @@ struct LevelTrial
 };
 
 /**
- * Adds a target to the trial of a step, which is added if there is none. No collapse may make a face
- * that is farther from M than `bound`.
+ * Adds a target to the trial of a step, which is added if there is none. No collapse may make a
+ * face that is farther from M than `bound`.
  */
 void AddTarget(std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target, int step,
   double bound = HUGE_VAL);

@@ -38,10 +38,10 @@ PreparedStream& PreparedStreams::Get(vtkUnstructuredGrid* grid)
     return *found;
   }
   PreparedStream& stream = this->All.emplace_back();
-  stream.Grid = DataVersion(grid);
   stream.Error = GetStreamDimension(grid) == 2
     ? ReadStream(grid, stream.Plane, stream.Profile, stream.Simplified)
     : ReadStream(grid, stream.Space, stream.Profile, stream.Simplified);
+  stream.Grid = DataVersion(grid); // last, since memory may run out before
   return stream;
 }
 

@@ -67,7 +67,9 @@ void AddTargets(
   }
 }
 
-/** The end of the targets that a trial for one of them is worth: finer numbers, not finer bounds. */
+/**
+ * The end of the targets that a trial for one of them is worth: finer numbers, not finer bounds.
+ */
 TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetIterator target)
 {
   return target->Type == LevelTarget::ErrorBound ? target + 1 : targets.end();

@@ -17,10 +17,10 @@
 #include <vector>
 
 /**
- * Whether earlier steps are tried before the last one, from coarse to fine: for a single error bound.
- * The coarsest step within the bound mostly has a result with fewer vertices than the topology of
- * most finer steps needs. With several bounds, the last step has to be tried for each of them:
- * levels take steps in order, and only the last step may follow any other.
+ * Whether earlier steps are tried before the last one, from coarse to fine: for a single error
+ * bound. The coarsest step within the bound mostly has a result with fewer vertices than the
+ * topology of most finer steps needs. With several bounds, the last step has to be tried for each
+ * of them: levels take steps in order, and only the last step may follow any other.
  */
 bool TriesCoarseStepsFirst(const std::vector<carving::SimplifiedTarget>& targets);
 

@@ -25,7 +25,12 @@ files::path MakeFolder(const std::string& name)
     if (files::create_directory(folder, failure)) // not if another process has made the folder
     {
       files::permissions(folder, files::perms::owner_all, failure);
-      return folder;
+      if (!failure)
+      {
+        return folder;
+      }
+      std::error_code ignored;
+      files::remove(folder, ignored);
     }
   }
   return {};
@@ -79,7 +84,8 @@ std::string TemporaryFile::GetPath() const
 void TemporaryFile::Read(const std::function<void(const char*, std::size_t)>& read) const
 {
   std::ifstream in(this->Opened->Path, std::ios::binary | std::ios::ate);
-  std::vector<char> data(in ? static_cast<std::size_t>(in.tellg()) : 0);
+  const std::streamoff size = in ? std::streamoff(in.tellg()) : 0;
+  std::vector<char> data(size > 0 ? static_cast<std::size_t>(size) : 0);
   in.seekg(0);
   in.read(data.data(), static_cast<std::streamsize>(data.size()));
   read(data.data(), data.size());

@@ -31,6 +31,18 @@ void vtkPVExtractCarvedLOD::SetVertexTarget(int target)
 }
 
 //------------------------------------------------------------------------------
+void vtkPVExtractCarvedLOD::SetFeatureSizeTarget(double target)
+{
+  this->SetNumber("FeatureSizeTarget", target, this->FeatureSizeTarget);
+}
+
+//------------------------------------------------------------------------------
+void vtkPVExtractCarvedLOD::SetErrorBoundTarget(double target)
+{
+  this->SetNumber("ErrorBoundTarget", target, this->ErrorBoundTarget);
+}
+
+//------------------------------------------------------------------------------
 bool vtkPVExtractCarvedLOD::OfferTimes(vtkInformation* input, vtkInformation* output)
 {
   const bool follow = this->FollowTime;

@@ -23,19 +23,20 @@ public:
   /**
    * The LevelTarget for each LevelTargetType. A VertexTarget of 0, the default, stands for the
    * geometric mean of its range, so that the level is between hull and mesh, or for the vertices of
-   * the largest hull in a collection if these are more.
+   * the largest hull in a collection if these are more. Lengths that are not finite are refused
+   * with an error.
    */
   void SetVertexTarget(int target);
   vtkGetMacro(VertexTarget, int);
   vtkSetClampMacro(TriangleTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(TriangleTarget, int);
-  vtkSetClampMacro(FeatureSizeTarget, double, 0.0, VTK_DOUBLE_MAX);
+  void SetFeatureSizeTarget(double target);
   vtkGetMacro(FeatureSizeTarget, double);
   vtkSetClampMacro(TunnelsTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(TunnelsTarget, int);
   vtkSetClampMacro(ComponentTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(ComponentTarget, int);
-  vtkSetClampMacro(ErrorBoundTarget, double, 0.0, VTK_DOUBLE_MAX);
+  void SetErrorBoundTarget(double target);
   vtkGetMacro(ErrorBoundTarget, double);
   vtkSetClampMacro(StepTarget, int, 0, VTK_INT_MAX);
   vtkGetMacro(StepTarget, int);

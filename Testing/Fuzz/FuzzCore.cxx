@@ -165,7 +165,9 @@ void CheckDamaged(Bytes& bytes, StoredStream<D> stored, const std::vector<int>& 
   }
 }
 
-/** Without the cells of the solid, a decomposition is valid and has the same stream and topology. */
+/**
+ * Without the cells of the solid, a decomposition is valid and has the same stream and topology.
+ */
 void CheckWithoutSolid(Tetrahedralization mesh, SolidRule rule)
 {
   Classification regions = Classify(mesh, rule);

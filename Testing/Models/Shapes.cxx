@@ -132,7 +132,8 @@ TriangleMesh BumpyTorus(int points)
   {
     for (int j = 0; j < m; ++j)
     {
-      // Bumps across both directions leave no symmetry, and so no more than four points on a sphere.
+      // Bumps across both directions leave no symmetry, and so no more than four points on a
+      // sphere.
       const double u = 2 * Pi * i / n, v = 2 * Pi * j / m;
       const double bumps = std::sin(7 * u + 2 * v + 1) * std::sin(3 * v - 2 * u + 2) +
         0.5 * std::sin(11 * u - 4 * v + 3);

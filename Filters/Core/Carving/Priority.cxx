@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Carving/Priority.h"
 
+#include "Core/Carving/CellDistances.h"
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
-#include "Core/Mesh/FacetTree.h"
-#include "Core/Mesh/ForEach.h"
 #include "Core/Mesh/LargePages.h"
 
 #include <algorithm>
@@ -49,29 +48,6 @@ double Circumradius(const CellCorners<3>& p)
 double Circumradius(const CellCorners<2>& p)
 {
   return Length(p[1] - p[0]) * Length(p[2] - p[1]) * Length(p[0] - p[2]) / (4.0 * Size(p));
-}
-
-/** The distance of each cell's centroid from M; 0 if M is empty. */
-template <int D>
-std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
-{
-  std::vector<double> distances = MakeLarge<double>(mesh.Cells.size());
-  if (mesh.GetInput().Facets.empty())
-  {
-    return distances;
-  }
-  const FacetTree<D> tree(mesh.GetInput());
-  constexpr int part = 1024; // cells that a thread takes at a time
-  const int count = static_cast<int>(distances.size());
-  ForEach(threads, (count + part - 1) / part,
-    [&](int i)
-    {
-      for (int cell = i * part; cell < std::min((i + 1) * part, count); ++cell)
-      {
-        distances[cell] = tree.Find(mesh.Centroid(cell)).Distance;
-      }
-    });
-  return distances;
 }
 
 } // namespace

@@ -12,6 +12,12 @@ namespace carving
 namespace
 {
 
+/**
+ * Some thousand queries tell a face's distance. Only slivers in one plane with many facets need
+ * more, up to billions. They are very close to M then, so that their bound serves as well.
+ */
+constexpr int MostQueries = 20000;
+
 /** What is known of a face's distance. */
 struct FaceBound
 {
@@ -90,10 +96,11 @@ public:
     {
       // The number of queries grows, so that faces which are not the farthest take few.
       const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
+      const bool isLast = queries >= MostQueries;
       work += queries;
       const auto bound = this->Distance.Compute(CornersOf<D>(this->Points, face.Corners), queries);
       this->Candidates.push(
-        { std::min(top.Upper, bound.Upper), top.Face, bound.Final ? -1 : queries });
+        { std::min(top.Upper, bound.Upper), top.Face, bound.Final || isLast ? -1 : queries });
     }
     return false;
   }

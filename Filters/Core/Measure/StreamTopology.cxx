@@ -93,8 +93,8 @@ void JoinAroundSolid(
 }
 
 /**
- * The carved cells that join components, by the step that carves them. `components` are those of the
- * last approximation: a cell within one of them never changes the number.
+ * The carved cells that join components, by the step that carves them. `components` are those of
+ * the last approximation: a cell within one of them never changes the number.
  */
 template <int D>
 Buckets<int> FindJoiningCells(

@@ -186,8 +186,8 @@ bool NeighborsAgree(const Decomposition<D>& mesh, int threads)
 }
 
 /**
- * Whether a cell's face on a facet has no solid on the cell's side, and has missing solid on the far
- * side if and only if the neighbor there is Solid.
+ * Whether a cell's face on a facet has no solid on the cell's side, and has missing solid on the
+ * far side if and only if the neighbor there is Solid.
  */
 template <int D>
 bool AgreesWithSolid(const Decomposition<D>& mesh, int cell, int f, const std::array<int, 2>& solid)

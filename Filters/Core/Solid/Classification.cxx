@@ -129,10 +129,11 @@ void ClassifyByRays(const Tetrahedralization& mesh, int threads, Classification&
     [&](int r)
     {
       Region& region = result.Regions[r];
-      if (region.Kind == RegionKind::Void &&
-        crossings.Count(mesh.Centroid(largestCells[r])) % 2 != 0)
+      if (region.Kind == RegionKind::Void)
       {
-        region.Kind = RegionKind::Solid;
+        const auto [count, other] = crossings.Count(mesh.Centroid(largestCells[r]));
+        region.Kind = count % 2 != 0 ? RegionKind::Solid : RegionKind::Void;
+        region.Guessed = (count - other) % 2 != 0;
       }
     });
 }

@@ -8,6 +8,8 @@
 
 #include "Core/Mesh/FacetTree.h"
 
+#include <array>
+
 namespace carving
 {
 
@@ -22,13 +24,15 @@ public:
   }
 
   /**
-   * The number of triangles that a ray from a point crosses, counted with their multiplicities. No
-   * model is likely to be aligned with the ray's direction. In floating point: a triangle that
-   * contains a part of the ray may or may not be counted.
+   * The numbers of triangles that two rays from a point cross, counted with their multiplicities.
+   * Both are even or both odd if M is closed. In floating point: a triangle that contains a part of
+   * a ray may or may not be counted.
    */
-  int Count(const Point& point) const;
+  std::array<int, 2> Count(const Point& point) const;
 
 private:
+  int Count(const Point& point, const Point& direction) const;
+
   FacetTree<3> Tree;
 };
 

@@ -30,8 +30,8 @@ template <int D>
 Level<D> ExtractLevel(const StoredStream<D>& stream, int step);
 
 /**
- * C_step for several ascending steps, in one pass over the faces. `numbersOfFaces` has the number of
- * each step, as the profile does, for which memory is reserved; it may be empty.
+ * C_step for several ascending steps, in one pass over the faces. `numbersOfFaces` has the number
+ * of each step, as the profile does, for which memory is reserved; it may be empty.
  */
 template <int D>
 std::vector<Level<D>> ExtractLevels(const StoredStream<D>& stream, const std::vector<int>& steps,

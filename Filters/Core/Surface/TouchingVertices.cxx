@@ -36,7 +36,9 @@ int PlaceOf(const CellsAtPoint& cells, int cell)
     cells.begin());
 }
 
-/** The parts of the exterior around a point: sets of places, connected through faces at the point. */
+/**
+ * The parts of the exterior around a point: sets of places, connected through faces at the point.
+ */
 DisjointSets FindExteriorParts(
   const StoredStream<3>& stream, int step, int point, const CellsAtPoint& cells)
 {

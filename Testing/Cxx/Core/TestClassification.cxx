@@ -140,6 +140,29 @@ TEST(Classification, RecordsThatParityDependsOnThePath)
   EXPECT_TRUE(Classify(mesh, SolidRule::EvenOdd).Regions[0].Guessed);
 }
 
+// In enclosing mode, where rays of different directions leave an open mesh through it and through
+// its gap, even-odd says that it has guessed.
+TEST(Classification, RecordsThatParityDependsOnTheRay)
+{
+  bool isEverGuessed = false, isEverCertain = false;
+  for (std::size_t open = 0; open < 4; ++open)
+  {
+    Tetrahedralization mesh =
+      small::NestedTetrahedra(small::Joined(small::OuterFaces(), small::InnerFaces()));
+    mesh.Kept.assign(mesh.Cells.size(), 0);
+    mesh.Kept[0] = 1;
+    mesh.Unresolved = mesh.Surface;
+    const Region closed = Classify(mesh, SolidRule::EvenOdd).Regions.back();
+    EXPECT_FALSE(closed.Guessed);
+    mesh.Unresolved.Multiplicities[open] = 2; // the same as none
+    const Region region = Classify(mesh, SolidRule::EvenOdd).Regions.back();
+    isEverGuessed = isEverGuessed || region.Guessed;
+    isEverCertain = isEverCertain || !region.Guessed;
+  }
+  EXPECT_TRUE(isEverGuessed);
+  EXPECT_TRUE(isEverCertain); // both rays miss some of the four sides
+}
+
 // As a surface only, a closed mesh has no solid.
 TEST(Classification, FindsNoSolidInASurface)
 {

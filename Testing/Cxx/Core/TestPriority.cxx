@@ -23,7 +23,7 @@ const std::vector<Point> Corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 
 
 } // namespace
 
-// The four measures of the corner of a cube are known.
+// The measures of the corner of a cube that do not depend on the mesh are known.
 TEST(Priority, OfACubesCornerIsKnown)
 {
   const double l = std::sqrt(2.0), v = 1.0 / 6.0;
@@ -42,7 +42,8 @@ TEST(Priority, TakesTheDistanceFromTheMesh)
     std::cbrt(std::sqrt(2.0) / 16.0), 1e-15);
 }
 
-// All four are finite for a flat tetrahedron, even one on a line; the radius is then the diagonal.
+// All measures are finite for a flat tetrahedron, even one on a line; the radius is then the
+// diagonal.
 TEST(Priority, IsFiniteForFlatTetrahedra)
 {
   const std::vector<std::vector<Point>> flat = {
@@ -54,6 +55,7 @@ TEST(Priority, IsFiniteForFlatTetrahedra)
     EXPECT_EQ(Measure(points, PriorityMeasure::Volume), 0.0);
     EXPECT_EQ(Measure(points, PriorityMeasure::Circumradius), Diagonal(points));
     EXPECT_EQ(Measure(points, PriorityMeasure::EdgeVolume), 0.0);
+    EXPECT_EQ(Measure(points, PriorityMeasure::EdgeDistance), 0.0); // there is no mesh
   }
 }
 

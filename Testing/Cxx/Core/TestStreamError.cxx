@@ -141,7 +141,8 @@ TEST(FaceDistance, BoundsAFaceAboveAPlane)
   EXPECT_LE(bound.Upper, height * 1.01);
 }
 
-// The bounds of a face enclose the distance of its farthest point, or say that this is close enough.
+// The bounds of a face enclose the distance of its farthest point, or say that this is close
+// enough.
 TEST(FaceDistance, EnclosesTheFarthestOfManyPoints)
 {
   std::mt19937_64 random(7);
@@ -196,8 +197,8 @@ TEST(FaceDistance, FindsWhatIsFartherThanABound)
   }
 }
 
-// The tree finds what looking at all facets finds, from near and far, wherever it begins; or a facet
-// that is close enough.
+// The tree finds what looking at all facets finds, from near and far, wherever it begins; or a
+// facet that is close enough.
 TEST(FacetTree, FindsTheClosest)
 {
   std::mt19937_64 random(5);

@@ -172,7 +172,8 @@ TEST(Faults, CanBeAbortedWithinAnAttempt)
 TEST(Faults, NotesThatTheResultDependsOnALimit)
 {
   // TetGen needs points on the triangles of the soup, which take more processor time than there is
-  // for an attempt. The sphere lowers the number of crossings per triangle, so that TetGen is tried.
+  // for an attempt. The sphere lowers the number of crossings per triangle, so that TetGen is
+  // tried.
   std::mt19937_64 random(1);
   const auto mesh =
     models::Joined(models::Soup(328, random), models::Moved(models::Sphere(5), { 10, 0, 0 }));
@@ -248,8 +249,10 @@ TEST(Faults, ReportsThatThereIsNoRoom)
   for (const int conformity :
     { vtkTopologyCarver::EXACT, vtkTopologyCarver::ENCLOSING, vtkTopologyCarver::AUTO })
   {
-    const std::pair<rlim_t, const char*> cases[] = { { 100, "not enough room to hand the mesh" },
-      { 2000, "could not be written" }, { 0, "not enough room to hand the mesh" } };
+    const std::pair<rlim_t, const char*> cases[] = {
+      { 100, "not enough room in memory to hand the mesh" }, { 2000, "could not be written" },
+      { 0, "not enough room in memory to hand the mesh" }
+    };
     for (const auto& [bytes, words] : cases)
     {
       const Leftovers leftovers;

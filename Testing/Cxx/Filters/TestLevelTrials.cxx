@@ -311,8 +311,8 @@ TEST(LevelTrials, AreRankedByVerticesWithinABound)
   EXPECT_EQ(ChooseTrials(trials, { target }).front().Trial, &trials[0]);
 }
 
-// A surface for another error bound is taken if it has fewer vertices within the bound, or is closer
-// where none is within.
+// A surface for another error bound is taken if it has fewer vertices within the bound, or is
+// closer where none is within.
 TEST(LevelTrials, ServeOtherBounds)
 {
   std::vector<LevelTrial> trials = { MakeTrial(50, { { 400, 0.09 }, { 200, 0.25 } }),
@@ -361,8 +361,8 @@ TEST(LevelTrials, TryEarlierStepsWherePartsTouch)
   EXPECT_EQ(between[0].Step, 70); // 7,106 vertices are between 5,000 and 10,100
 }
 
-// No step is tried that is more than a quarter farther than an error bound. The coarsest one that is
-// left is tried, and so is the coarsest one within the bound.
+// No step is tried that is more than a quarter farther than an error bound. The coarsest one that
+// is left is tried, and so is the coarsest one within the bound.
 TEST(LevelTrials, StayNearABound)
 {
   std::vector<int> steps;
@@ -374,7 +374,8 @@ TEST(LevelTrials, StayNearABound)
   EXPECT_EQ(steps, (std::vector<int>{ 75, 80 }));
 }
 
-// Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error bound.
+// Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error
+// bound.
 TEST(LevelTrials, StartFromTheStepsThatTellMost)
 {
   carving::Profile profile = TunnelAtEachStep();

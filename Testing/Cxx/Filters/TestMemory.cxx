@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <optional>
 
 namespace
 {
@@ -69,7 +70,7 @@ TEST(Memory, IsNeededForDistinctPoints)
   EXPECT_GT(CountLevels(carver), 0);
 }
 
-// Where there is no memory for the result, that is an error, and the program lives.
+// Where there is no memory for the reply, that is an error, and the program lives.
 TEST(Memory, MayBeTooShortForTheReply)
 {
   vtkNew<vtkTopologyCarver> carver;
@@ -80,5 +81,37 @@ TEST(Memory, MayBeTooShortForTheReply)
   }
   carver->Modified();
   Carve(carver, sphere);
+  EXPECT_GT(CountLevels(carver), 0);
+}
+
+// Memory that runs out later, while the mesh is carved, is an error, too.
+TEST(Memory, MayBeTooShortForTheLevels)
+{
+  struct Shortage
+  {
+    void Begin()
+    {
+      const char* stage = this->Carver->GetProgressText();
+      if (stage && std::string(stage) == "carve" && !this->Limit)
+      {
+        this->Limit.emplace(5000); // bytes: enough for messages, not for the arrays of a level
+      }
+    }
+    vtkNew<vtkTopologyCarver> Carver;
+    std::optional<AllocationLimit> Limit;
+  } shortage;
+  vtkTopologyCarver* carver = shortage.Carver;
+  const vtkSmartPointer<vtkPolyData> torus = ToPolyData(models::Torus(1.0, 0.4, 20, 10));
+  Messages messages(carver);
+  const auto observer = carver->AddObserver(vtkCommand::ProgressEvent, &shortage, &Shortage::Begin);
+  Carve(carver, torus);
+  ASSERT_TRUE(shortage.Limit);
+  shortage.Limit.reset();
+  carver->RemoveObserver(observer);
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors[0], "There is not enough memory for the result"));
+  EXPECT_EQ(CountLevels(carver), 0);
+  carver->Modified();
+  Carve(carver, torus);
   EXPECT_GT(CountLevels(carver), 0);
 }

@@ -185,8 +185,8 @@ TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
   EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
 }
 
-// Without reuse, every update runs the helper program, and the outputs are the same: for a mesh that
-// is met and one that is enclosed, with a budget, and for one that is in a scene twice.
+// Without reuse, every update runs the helper program, and the outputs are the same: for a mesh
+// that is met and one that is enclosed, with a budget, and for one that is in a scene twice.
 TEST(Reuse, GivesTheSameWithout)
 {
   vtkNew<vtkMultiBlockDataSet> twice;

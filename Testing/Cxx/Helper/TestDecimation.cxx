@@ -92,8 +92,8 @@ TEST(Decimation, KeepsFacetsWithTwoSides)
   ExpectEnclosingSurface(mesh, mesh, results[0], random);
 }
 
-// A lens keeps its rim around a ring, which is far from the middle of the lens: with 40 vertices, the
-// rim is at least as round as a regular polygon of 16 sides.
+// A lens keeps its rim around a ring, which is far from the middle of the lens: with 40 vertices,
+// the rim is at least as round as a regular polygon of 16 sides.
 TEST(Decimation, KeepsShapeWhereTheSurfaceIsFar)
 {
   const auto flattened = [](TriangleMesh mesh)
@@ -177,9 +177,9 @@ TEST(Decimation, StaysWithinErrorBounds)
   }
 }
 
-// A sphere within an error bound has not many more vertices than theory asks for. A face touches the
-// sphere in its center at best: an equilateral triangle with a circumradius of r reaches a distance
-// of r^2 / 2 then, and n vertices have 2 n of these faces to cover the sphere.
+// A sphere within an error bound has not many more vertices than theory asks for. A face touches
+// the sphere in its center at best: an equilateral triangle with a circumradius of r reaches a
+// distance of r^2 / 2 then, and n vertices have 2 n of these faces to cover the sphere.
 TEST(Decimation, TakesFewVerticesWithinAnErrorBound)
 {
   const TriangleMesh sphere = models::Sphere(4);

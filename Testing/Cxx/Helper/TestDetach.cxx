@@ -93,8 +93,8 @@ TEST(Detach, RestoresTriangles)
   }
 }
 
-// The mesh stays valid, its points stay where they are, and no part that was a face is lost, whatever
-// crosses or is degenerate.
+// The mesh stays valid, its points stay where they are, and no part that was a face is lost,
+// whatever crosses or is degenerate.
 TEST(Detach, KeepsTheMeshValid)
 {
   std::mt19937_64 random(31);

@@ -69,7 +69,8 @@ TEST(DividePolygon, CoversATriangleWithVerticesOnItsSides)
   }
 }
 
-// Between two long sides with equal vertices, no edge is much longer than the way to the next vertex.
+// Between two long sides with equal vertices, no edge is much longer than the way to the next
+// vertex.
 TEST(DividePolygon, FillsANeedleAcross)
 {
   constexpr int count = 99;

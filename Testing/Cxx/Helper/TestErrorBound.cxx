@@ -45,8 +45,8 @@ struct Found
 };
 
 /**
- * Searches where the number is reached at `least`, and falls with a power of the bound. `own` is the
- * error of the surface as given.
+ * Searches where the number is reached at `least`, and falls with a power of the bound. `own` is
+ * the error of the surface as given.
  */
 Found Search(double least, double power, double own = 0.0)
 {
@@ -99,8 +99,8 @@ TEST_F(StarWithBound, SparesAttemptsThatWouldFail)
   EXPECT_TRUE(this->Bound.MayAllow(this->Edge));
 }
 
-// The number is reached in few steps, at a bound that is hardly greater than the least one. The first
-// step goes farther beyond where the number falls much faster than usual.
+// The number is reached in few steps, at a bound that is hardly greater than the least one. The
+// first step goes farther beyond where the number falls much faster than usual.
 TEST(BoundSearch, FindsTheLeastBoundInFewSteps)
 {
   for (const double power : { 0.6, 0.8, 1.0, 1.5, 2.5 })

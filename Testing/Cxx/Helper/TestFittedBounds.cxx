@@ -9,8 +9,8 @@
 using namespace carving;
 using carving::helper::FittedBounds;
 
-// A box with a corner of a triangle on its border always overlaps the bounds, however thin, small or
-// large the triangle is.
+// A box with a corner of a triangle on its border always overlaps the bounds, however thin, small
+// or large the triangle is.
 TEST(FittedBounds, ReachTheCorners)
 {
   std::mt19937_64 random(3);

@@ -179,7 +179,8 @@ TEST(Obstacle, StopsFaces)
 }
 
 // A corner of a sheet without thickness may move in the sheet's plane as long as a smaller sheet of
-// the same shape stays inside, and never out of the plane: one side would cut the other's faces off.
+// the same shape stays inside, and never out of the plane: one side would cut the other's faces
+// off.
 TEST(Obstacle, StaysEnclosedBySheets)
 {
   std::mt19937_64 random(17);

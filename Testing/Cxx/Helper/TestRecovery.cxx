@@ -112,14 +112,15 @@ TEST(Recovery, TakesLittleEffortNearDelaunay)
   EXPECT_FALSE(IsNearDelaunay(Resolved(models::Sheared(model))));
 }
 
-// Edges between triangles tell nothing about a mesh of leaves, most of whose edges are on the border.
+// Edges between triangles tell nothing about a mesh of leaves, most of whose edges are on the
+// border.
 TEST(Recovery, IsNotTriedFirstOnLeaves)
 {
   EXPECT_FALSE(IsNearDelaunay(Resolved(models::Tree(2000))));
 }
 
-// With much effort, recovery meets closed meshes of which the Delaunay tetrahedralization lacks many
-// triangles.
+// With much effort, recovery meets closed meshes of which the Delaunay tetrahedralization lacks
+// many triangles.
 TEST(Recovery, TakesMuchEffortFarFromDelaunay)
 {
   ExpectExact(Recovered(models::Sheared(models::Sphere(4))));

@@ -250,8 +250,8 @@ TEST(Imprint, LeavesACleanMeshAlone)
   EXPECT_EQ(mesh.Facets, given.Facets);
 }
 
-// A corner that nearly lies on an edge of another triangle splits that edge, one that nearly lies on
-// the triangle splits it into three, and two edges that nearly cross get a common point.
+// A corner that nearly lies on an edge of another triangle splits that edge, one that nearly lies
+// on the triangle splits it into three, and two edges that nearly cross get a common point.
 TEST(Imprint, SplitsAtWhatNearlyTouches)
 {
   constexpr double gap = 1e-14, tolerance = 1e-12;

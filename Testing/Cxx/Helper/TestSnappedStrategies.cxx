@@ -120,8 +120,8 @@ TEST(Strategies, ContinueWhereSnappingFails)
   EXPECT_NE(reply.Attempts.find("Snapping on a grid of"), std::string::npos) << reply.Attempts;
 }
 
-// Snapping may take the time that the exact attempts have left, and a quarter of their limit even if
-// they have left none. EXACT has no limits.
+// Snapping may take the time that the exact attempts have left, and a quarter of their limit even
+// if they have left none. EXACT has no limits.
 TEST(Strategies, GiveSnappingTheTimeLeft)
 {
   constexpr std::size_t facets = 50000;

@@ -241,7 +241,8 @@ TEST(CarvingProperties, RefuseNumbersThatAreNotFinite)
     }
   }
   carver->AddLevelTarget(notANumber);
-  EXPECT_EQ(messages.Errors.size(), 1u);
+  carver->AddLevelTarget(-1.0);
+  EXPECT_EQ(messages.Errors.size(), 2u);
   EXPECT_EQ(carver->GetNumberOfLevelTargets(), 0);
 }
 

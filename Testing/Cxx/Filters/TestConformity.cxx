@@ -49,7 +49,7 @@ void AddHeights(const carving::TriangleMesh& mesh, vtkPolyData* data)
 TEST(Conformity, IsSaidInTheFieldData)
 {
   const auto carver = Carve(Crossing());
-  const auto expectRung = [&](const char* expected)
+  const auto expectStrategy = [&](const char* expected)
   {
     EXPECT_EQ(GetFieldText(carver->GetOutputDataObject(1), "Strategy"), expected);
     for (int i = 0; i < CountLevels(carver); ++i)
@@ -57,10 +57,10 @@ TEST(Conformity, IsSaidInTheFieldData)
       EXPECT_EQ(GetFieldText(GetLevel(carver, i), "Strategy"), expected);
     }
   };
-  expectRung("TetGen -pcY");
+  expectStrategy("TetGen -pcY");
   carver->SetConformity(vtkTopologyCarver::ENCLOSING);
   carver->Update();
-  expectRung("Delaunay, enclosing");
+  expectStrategy("Delaunay, enclosing");
 }
 
 // In enclosing mode without tolerance, no vertex is new, and a stored stream gives the same levels.

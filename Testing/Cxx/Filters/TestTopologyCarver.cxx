@@ -16,7 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <sstream>
 
 namespace
@@ -37,6 +37,26 @@ void AddNumbersAndNames(vtkDataSetAttributes* data, vtkIdType count)
   data->AddArray(numbers);
   data->AddArray(names);
 }
+
+/** A carver, and the progress that it reports. */
+struct ProgressRecorder
+{
+  ProgressRecorder()
+  {
+    this->Carver->AddObserver(vtkCommand::ProgressEvent, this, &ProgressRecorder::Record);
+  }
+
+  void Record()
+  {
+    const char* stage = this->Carver->GetProgressText();
+    this->Fractions.push_back(this->Carver->GetProgress());
+    this->OfStages[stage ? stage : ""].push_back(this->Carver->GetProgress());
+  }
+
+  vtkNew<vtkTopologyCarver> Carver;
+  std::vector<double> Fractions;
+  std::map<std::string, std::vector<double>> OfStages;
+};
 
 } // namespace
 
@@ -265,26 +285,29 @@ TEST(TopologyCarver, PrintsItsLevelTargets)
 // Progress passes through all stages, names the attempt, never falls, and ends at 1.
 TEST(TopologyCarver, ReportsProgressThroughAllStages)
 {
-  struct Recorder
-  {
-    void Record()
-    {
-      this->Fractions.push_back(this->Carver->GetProgress());
-      const char* stage = this->Carver->GetProgressText();
-      this->Stages.insert(stage ? stage : "");
-    }
-    vtkNew<vtkTopologyCarver> Carver;
-    std::vector<double> Fractions;
-    std::set<std::string> Stages;
-  } recorder;
+  ProgressRecorder recorder;
   recorder.Carver->SetInputData(ReadReal("bones.off"));
-  recorder.Carver->AddObserver(vtkCommand::ProgressEvent, &recorder, &Recorder::Record);
   recorder.Carver->Update();
   EXPECT_TRUE(std::is_sorted(recorder.Fractions.begin(), recorder.Fractions.end()));
   EXPECT_EQ(recorder.Fractions.back(), 1.0);
   for (const char* stage :
     { "clean", "resolve", "tetrahedralize: TetGen -pcY", "classify", "carve", "output" })
   {
-    EXPECT_TRUE(recorder.Stages.count(stage)) << stage;
+    EXPECT_TRUE(recorder.OfStages.count(stage)) << stage;
   }
+}
+
+// Where levels are simplified, which takes longest, most of the progress is made meanwhile.
+TEST(TopologyCarver, ReportsProgressWhileItSimplifies)
+{
+  ProgressRecorder recorder;
+  recorder.Carver->SetInputData(ToPolyData(models::BumpyTorus(1000)));
+  recorder.Carver->SetLevelSimplification(vtkTopologyCarver::ENCLOSING_COLLAPSE);
+  recorder.Carver->AddLevelTarget(200);
+  recorder.Carver->Update();
+  EXPECT_TRUE(std::is_sorted(recorder.Fractions.begin(), recorder.Fractions.end()));
+  EXPECT_EQ(recorder.Fractions.back(), 1.0);
+  const std::vector<double>& fractions = recorder.OfStages["simplify"];
+  ASSERT_FALSE(fractions.empty());
+  EXPECT_GT(fractions.back() - fractions.front(), 0.5);
 }

@@ -367,6 +367,7 @@ TEST(Strategies, RejectOverlappingCells)
     models::Joined(models::Box({ 3, 2, 3 }, { 5, 3, 6 }), models::Box({ 1, 3, 3 }, { 3, 4, 4 })));
   job.Initial = InitialApproximation::BoundingBox;
   const Reply reply = GetReply(job);
+  EXPECT_NE(reply.Attempts.find("flat or inside out"), std::string::npos) << reply.Attempts;
   Tetrahedralization result = reply.Result;
   EXPECT_TRUE(FindAdjacency(result)); // no face has three cells
   EXPECT_GT(checks::SixVolume(result), 0.0);

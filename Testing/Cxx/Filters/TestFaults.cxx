@@ -249,10 +249,9 @@ TEST(Faults, ReportsThatThereIsNoRoom)
   for (const int conformity :
     { vtkTopologyCarver::EXACT, vtkTopologyCarver::ENCLOSING, vtkTopologyCarver::AUTO })
   {
-    const std::pair<rlim_t, const char*> cases[] = {
-      { 100, "not enough room in memory to hand the mesh" }, { 2000, "could not be written" },
-      { 0, "not enough room in memory to hand the mesh" }
-    };
+    const char* noRoom = "to hand the mesh to the helper program";
+    const std::pair<rlim_t, const char*> cases[] = { { 100, noRoom },
+      { 2000, "could not be written" }, { 0, noRoom } };
     for (const auto& [bytes, words] : cases)
     {
       const Leftovers leftovers;

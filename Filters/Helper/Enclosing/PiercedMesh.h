@@ -201,6 +201,7 @@ private:
   class OwnMarks;
 
   Contact FindContact(const Piercer& piercer, const Cell& cell) const;
+  bool MayPassBeyond(int part, const Cell& cell, int f) const;
   void Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);

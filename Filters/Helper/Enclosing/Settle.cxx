@@ -21,22 +21,36 @@ namespace
 
 using Cell = PiercedMesh::Cell;
 
-/**
- * A flat pyramid on a hull face, with its apex outside. Roundings of vertices dent the hull, which
- * leaves pieces of parts in such pyramids.
- */
+/** A hull face. Roundings of vertices dent the hull, which leaves pieces of parts outside. */
+struct HullFace
+{
+  HullFace(const Cell& cell, int f)
+    : Corners(FaceOf(cell, f))
+    , Origin(ToPoint(Corners[0]))
+  {
+    constexpr double share = 1e-6; // of the sides
+    constexpr double roundings = 64.0;
+    const Point u = ToPoint(this->Corners[1]) - this->Origin;
+    const Point v = ToPoint(this->Corners[2]) - this->Origin;
+    const Point normal = Cross(u, v);
+    const double size = Length(u) + Length(v), length = Length(normal);
+    this->Center = this->Origin + (u + v) / 3.0;
+    this->Normal = length > 0.0 ? normal / length : Point{};
+    this->Height = std::max(share * size, roundings * DBL_EPSILON * (Length(this->Origin) + size));
+  }
+
+  Corners3 Corners;
+  Point Origin, Center;
+  Point Normal;  ///< outward, of length 1; 0 if the face is so narrow that its normal is not known
+  double Height; ///< of what may be outside
+};
+
+/** A flat pyramid on a hull face, with its apex outside. */
 Corners4 PyramidOn(const Cell& cell, int f)
 {
-  constexpr double share = 1e-6; // of the sides
-  constexpr double roundings = 64.0;
-  const auto [a, b, c] = FaceOf(cell, f);
-  const Point origin = ToPoint(a), u = ToPoint(b) - origin, v = ToPoint(c) - origin;
-  const Point normal = Cross(u, v);
-  const double size = Length(u) + Length(v);
-  const double height = std::max(share * size, roundings * DBL_EPSILON * (Length(origin) + size));
-  const double length = Length(normal);
-  const Point center = origin + (u + v) / 3.0;
-  return { a, b, c, ToInexact(length > 0.0 ? center + (height / length) * normal : center) };
+  const HullFace face(cell, f);
+  const auto& [a, b, c] = face.Corners;
+  return { a, b, c, ToInexact(face.Center + face.Height * face.Normal) };
 }
 
 template <std::size_t N>
@@ -103,6 +117,24 @@ Contact PiercedMesh::FindContact(const Piercer& piercer, const Cell& cell) const
     }
   }
   return contact;
+}
+
+/** Whether a part may be outside of the hull near a hull face. */
+bool PiercedMesh::MayPassBeyond(int part, const Cell& cell, int f) const
+{
+  const Corners3 corners = this->CornersOf(part);
+  const HullFace face(cell, f);
+  const CGAL::Bbox_3 bounds = BoundsOf(corners), others = BoundsOf(face.Corners);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (bounds.min(i) > others.max(i) + face.Height || bounds.max(i) < others.min(i) - face.Height)
+    {
+      return false;
+    }
+  }
+  return std::any_of(corners.begin(), corners.end(),
+    [&face](const Inexact::Point_3& p)
+    { return Dot(face.Normal, ToPoint(p) - face.Origin) >= -face.Height; });
 }
 
 /** Records the contact of a part with a cell, if there is one. */

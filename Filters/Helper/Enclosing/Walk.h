@@ -131,7 +131,8 @@ void PiercedMesh::PushBeside(const Cell& outside, Marks& marks) const
 
 /**
  * Visits the tetrahedra that may meet a part: those around one of its corners, and the neighbors of
- * each tetrahedron for which `visit` returns that the part meets it.
+ * each tetrahedron for which `visit` returns that the part meets it. A part that is outside of the
+ * hull in places, by a rounding, may come back at other hull faces.
  */
 template <class Marks, class Visit>
 void PiercedMesh::Walk(int part, const Piercer& piercer, Marks& marks, const Visit& visit) const
@@ -147,18 +148,19 @@ void PiercedMesh::Walk(int part, const Piercer& piercer, Marks& marks, const Vis
   {
     const Cell cell = stack.back();
     stack.pop_back();
-    if (!visit(cell))
-    {
-      continue;
-    }
+    const bool meets = visit(cell);
     for (int i = 0; i < 4; ++i)
     {
       const Cell neighbor = cell->neighbor(i);
-      marks.Push(neighbor);
-      if (this->Mesh.is_infinite(neighbor))
+      if (this->Mesh.is_infinite(neighbor) && (meets || this->MayPassBeyond(part, cell, i)))
       {
         this->PushBeside(neighbor, marks);
       }
+      if (!meets)
+      {
+        continue;
+      }
+      marks.Push(neighbor);
       // If an edge of the cell lies in the triangle, the part may continue in cells around that
       // edge that share no face with this cell. Corners of the triangle need no search, since an
       // edge between two of them is on the border.

@@ -244,27 +244,6 @@ TEST(Enclose, EnclosesCrossingTori)
   EXPECT_LT(resolved, count);
 }
 
-// The solid of closed parts stays in every level, although vertices are put on the edges of parts
-// that touch, and are off these edges by roundings.
-TEST(Enclose, KeepsTheSolidOfTouchingParts)
-{
-  std::mt19937_64 random(40);
-  for (const int fins : { 14, 24 })
-  {
-    SCOPED_TRACE(std::to_string(fins) + " fins");
-    TriangleMesh mesh = models::Box({ 0, 0, 0 }, { 0.5 * fins + 1.0, 10, 1 });
-    for (int i = 1; i <= fins; ++i)
-    {
-      mesh = models::Joined(mesh, models::Box({ 0.5 * i, 0, 1 }, { 0.5 * i + 0.1, 10, 6 }));
-    }
-    const double sixVolume = checks::SixVolume(mesh.Points, mesh.Triangles); // the parts only touch
-    const Reply reply = GetReply(models::Rotated(mesh, random), Conformity::Enclosing, 0.2);
-    const Carved carved = CarveResult(reply.Result, {}, SolidRule::NonzeroWinding);
-    const Level<3> last = ExtractLevel(carved.Stored, carved.Profile.LastStep());
-    EXPECT_GE(checks::SixVolume(carved.Mesh.Surface.Points, Shell(last)), (1.0 - 1e-9) * sixVolume);
-  }
-}
-
 // A cube is met exactly although Delaunay faces use other diagonals of its sides: nothing is kept,
 // and everything between two cubes is carved.
 TEST(Enclose, TakesOtherDiagonalsForTheSameSide)

@@ -85,7 +85,7 @@ TEST(EnclosedSolid, HasThePointsOfRandomAssemblies)
       {
         ++inside;
         EXPECT_TRUE(checks::Encloses(carved.Mesh.Surface.Points, shell, p))
-          << p[0] << " " << p[1] << " " << p[2] << " DEBUG w " << WindingNumber(given, p) << " tol " << tolerance << " n " << n << " dist " << tree.Find(p).Distance << " strategy " << [&]{ std::string t; for (const auto& r : carved.Regions.Regions) t += " " + std::to_string(static_cast<int>(r.Kind)) + ":" + std::to_string(r.Winding) + (r.Guessed ? "g" : ""); return t; }() << [&]{ FILE* f = fopen("/tmp/w/bad108.off","w"); fprintf(f,"OFF\n%zu %zu 0\n",mesh.Points.size(),mesh.Triangles.size()); for (auto& q : mesh.Points) fprintf(f,"%.17g %.17g %.17g\n",q[0],q[1],q[2]); for (auto& q : mesh.Triangles) fprintf(f,"3 %d %d %d\n",q[0],q[1],q[2]); fclose(f); return ""; }();
+          << p[0] << " " << p[1] << " " << p[2];
       }
     }
   }

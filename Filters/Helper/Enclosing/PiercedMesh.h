@@ -76,6 +76,13 @@ public:
   /** Removes parts, which others may replace. */
   void TakeParts(const std::vector<int>& parts);
 
+  /**
+   * Lets parts pierce the tetrahedra below needles of the hull that they are beyond by a rounding.
+   * Parts that are faces pierce no others before that, and where solid has been lost below a
+   * needle, any part may be the one that is beyond.
+   */
+  void PierceBelowNeedles();
+
   /** Adds a part of a triangle of M. */
   void GivePart(const Triangle& corners, int parent);
   void GiveParts(const std::vector<Subdivision::Part>& parts, int threads,
@@ -202,6 +209,7 @@ private:
 
   Contact FindContact(const Piercer& piercer, const Cell& cell) const;
   bool MayPassBeyond(int part, const Cell& cell, int f) const;
+  std::vector<int> FindPartsAround(const Cell& cell, int f);
   void Meet(int part, const Piercer& piercer, const Cell& cell);
   void MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells);
   void Settle(int part);

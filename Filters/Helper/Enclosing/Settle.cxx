@@ -4,112 +4,17 @@
  * Finds the tetrahedra of a PiercedMesh that parts meet.
  */
 #include "Core/Mesh/ForEach.h"
-#include "Core/Mesh/Vector.h"
 #include "Helper/Base/IndexedBox.h"
+#include "Helper/Enclosing/HullFace.h"
 #include "Helper/Enclosing/Walk.h"
 
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cfloat>
 
 namespace carving::helper
 {
-namespace
-{
-
-using Cell = PiercedMesh::Cell;
-
-template <std::size_t N>
-CGAL::Bbox_3 BoundsOf(const std::array<Inexact::Point_3, N>& corners)
-{
-  CGAL::Bbox_3 bounds;
-  for (const Inexact::Point_3& p : corners)
-  {
-    bounds += p.bbox();
-  }
-  return bounds;
-}
-
-/** Twice the area of a triangle, as a vector along its normal. */
-Point AreaVector(const Corners3& corners)
-{
-  const Point a = ToPoint(corners[0]);
-  return Cross(ToPoint(corners[1]) - a, ToPoint(corners[2]) - a);
-}
-
-/** The sum of the area vectors of the hull faces that share a corner with one. */
-Point SumAround(const PiercedMesh::Delaunay& mesh, const Cell& outside)
-{
-  Point sum = {};
-  const int infinite = outside->index(mesh.infinite_vertex());
-  for (int i = 0; i < 4; ++i)
-  {
-    if (i == infinite)
-    {
-      continue;
-    }
-    auto at = mesh.incident_cells(outside, i, infinite);
-    const Cell first = at;
-    do
-    {
-      const Cell below = Cell(at)->neighbor(at->index(mesh.infinite_vertex()));
-      sum = sum + AreaVector(FaceOf(below, below->index(at)));
-      ++at;
-    } while (Cell(at) != first);
-  }
-  return sum;
-}
-
-/** A hull face. Roundings of vertices dent the hull, which leaves pieces of parts outside. */
-struct HullFace
-{
-  HullFace(const PiercedMesh::Delaunay& mesh, const Cell& cell, int f)
-    : Corners(FaceOf(cell, f))
-    , Origin(ToPoint(Corners[0]))
-  {
-    constexpr double share = 1e-6; // of the sides
-    constexpr double roundings = 64.0;
-    constexpr double needle = 1e-10; // width per side: rounding decides where such a face looks
-    const Point u = ToPoint(this->Corners[1]) - this->Origin;
-    const Point v = ToPoint(this->Corners[2]) - this->Origin;
-    const double size = Length(u) + Length(v);
-    Point normal = Cross(u, v);
-    if (Length(normal) < needle * size * size)
-    {
-      normal = SumAround(mesh, cell->neighbor(f));
-    }
-    const double length = Length(normal);
-    this->Center = this->Origin + (u + v) / 3.0;
-    this->Normal = length > 0.0 ? normal / length : Point{};
-    this->Height = std::max(share * size, roundings * DBL_EPSILON * (Length(this->Origin) + size));
-  }
-
-  /** The bounds of what is near the face. */
-  CGAL::Bbox_3 GetBounds() const
-  {
-    const CGAL::Bbox_3 b = BoundsOf(this->Corners);
-    const double h = this->Height;
-    return { b.xmin() - h, b.ymin() - h, b.zmin() - h, b.xmax() + h, b.ymax() + h, b.zmax() + h };
-  }
-
-  /** A flat pyramid on the face with its apex outside. */
-  Corners4 GetPyramid() const
-  {
-    const auto& [a, b, c] = this->Corners;
-    const auto apex = ToInexact(this->Center + this->Height * this->Normal);
-    return CGAL::orientation(a, b, c, apex) == CGAL::POSITIVE ? Corners4{ a, b, c, apex }
-                                                              : Corners4{ b, a, c, apex };
-  }
-
-  Corners3 Corners;
-  Point Origin, Center;
-  Point Normal;  ///< outward, of length 1
-  double Height; ///< of what may be outside
-};
-
-} // namespace
 
 /** Finds the contacts of a part that is a face, as most parts are, without a search. */
 bool PiercedMesh::SettleOnFace(int part)
@@ -163,17 +68,6 @@ Contact PiercedMesh::FindContact(const Piercer& piercer, const Cell& cell) const
     }
   }
   return contact;
-}
-
-/** Whether a part may be outside of the hull near a hull face. */
-bool PiercedMesh::MayPassBeyond(int part, const Cell& cell, int f) const
-{
-  const Corners3 corners = this->CornersOf(part);
-  const HullFace face(this->Mesh, cell, f);
-  return CGAL::do_overlap(BoundsOf(corners), face.GetBounds()) &&
-    std::any_of(corners.begin(), corners.end(),
-      [&face](const Inexact::Point_3& p)
-      { return Dot(face.Normal, ToPoint(p) - face.Origin) >= -face.Height; });
 }
 
 /** Records the contact of a part with a cell, if there is one. */

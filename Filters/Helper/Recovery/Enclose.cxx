@@ -266,6 +266,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   }
   KeepBareVertices(mesh, met);
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length, threads);
+  mesh.PierceBelowNeedles(); // not measured: these tetrahedra are in the solid
   result = {};
   result.Surface.PointSources = met.PointSources;
   WriteCells(mesh, result);

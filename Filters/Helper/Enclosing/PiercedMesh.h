@@ -194,6 +194,7 @@ private:
 
   bool IsStill(const Delaunay::Edge& edge, int a, int b) const;
   Place PlaceOnEdge(int a, int b, const Point& p) const;
+  void AddPartsWithEdge(const Cell& cell, int a, int b, std::vector<int>& parts) const;
   Place PlaceOnFace(const Cell& cell, int f, const Point& p) const;
   int Split(const Place& place, const std::function<Vertex()>& insert);
   bool MayReplace(const StarShape& star, const StarSurface& surface, const Place& place,

@@ -53,15 +53,32 @@ PiercedMesh::Place PiercedMesh::PlaceOnEdge(int a, int b, const Point& p) const
       continue;
     }
     place.Cells.push_back(cell);
-    for (const PartContact& contact : cell->info().All)
+    this->AddPartsWithEdge(cell, a, b, place.Parts);
+  }
+  if (!place.Outside.empty())
+  {
+    // A part that is outside of the hull near its edge meets none of these cells.
+    std::vector<Cell> around;
+    this->Mesh.finite_incident_cells(this->Vertices[a], std::back_inserter(around));
+    this->Mesh.finite_incident_cells(this->Vertices[b], std::back_inserter(around));
+    for (const Cell& cell : around)
     {
-      if (this->Parts.HasEdge(contact.Part, a, b))
-      {
-        place.Parts.push_back(contact.Part);
-      }
+      this->AddPartsWithEdge(cell, a, b, place.Parts);
     }
   }
   return place;
+}
+
+/** Adds those parts with a contact with a cell that have an edge. */
+void PiercedMesh::AddPartsWithEdge(const Cell& cell, int a, int b, std::vector<int>& parts) const
+{
+  for (const PartContact& contact : cell->info().All)
+  {
+    if (this->Parts.HasEdge(contact.Part, a, b))
+    {
+      parts.push_back(contact.Part);
+    }
+  }
 }
 
 PiercedMesh::Place PiercedMesh::PlaceOnFace(const Cell& cell, int f, const Point& p) const

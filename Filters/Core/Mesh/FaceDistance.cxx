@@ -89,8 +89,7 @@ std::vector<FacetCorners<2>> Split(const FacetCorners<2>& piece, const FacetCorn
 std::vector<FacetCorners<3>> Split(const FacetCorners<3>& piece, const FacetCorners<3>& facet)
 {
   constexpr double leastShare = 0.03, leastWidth = 1e-3, greatestHeight = 0.1;
-  const int longest = LongestSide<3>(piece);
-  const double length = Length(piece[(longest + 1) % 3] - piece[longest]), area = AreaOf({ piece });
+  const double length = LengthOfLongestSide<3>(piece), area = AreaOf({ piece });
   const Point normal = Cross(facet[1] - facet[0], facet[2] - facet[0]);
   const auto isClose = [&](const Point& p)
   { return std::abs(Dot(normal, p - facet[0])) <= greatestHeight * length * Length(normal); };
@@ -130,6 +129,13 @@ int LongestSide(const FacetCorners<D>& face)
     }
   }
   return longest;
+}
+
+template <int D>
+double LengthOfLongestSide(const FacetCorners<D>& face)
+{
+  const int longest = LongestSide<D>(face);
+  return Length(face[(longest + 1) % D] - face[longest]);
 }
 
 template <int D>
@@ -266,6 +272,8 @@ typename FaceDistance<D>::Piece FaceDistance<D>::MakePiece(
 
 template int LongestSide<2>(const FacetCorners<2>&);
 template int LongestSide<3>(const FacetCorners<3>&);
+template double LengthOfLongestSide<2>(const FacetCorners<2>&);
+template double LengthOfLongestSide<3>(const FacetCorners<3>&);
 template std::vector<FacetCorners<2>> Halve<2>(const FacetCorners<2>&);
 template std::vector<FacetCorners<3>> Halve<3>(const FacetCorners<3>&);
 template double BallRadius<2>(const FacetCorners<2>&);

@@ -24,6 +24,10 @@ double BallRadius(const FacetCorners<D>& face);
 template <int D>
 int LongestSide(const FacetCorners<D>& face);
 
+/** The length of a face's longest side. */
+template <int D>
+double LengthOfLongestSide(const FacetCorners<D>& face);
+
 /** The halves of a face on both sides of the midpoint of its longest side. */
 template <int D>
 std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& face);

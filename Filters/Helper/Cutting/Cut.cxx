@@ -2,7 +2,6 @@
 #include "Helper/Cutting/Cut.h"
 
 #include "Core/Mesh/FaceDistance.h"
-#include "Core/Mesh/Vector.h"
 #include "Helper/Cutting/DividePolygon.h"
 #include "Helper/Cutting/Patch.h"
 
@@ -24,9 +23,7 @@ constexpr std::size_t LeastEffort = 300000, EffortPerPart = 200;
 
 double LengthOf(const Triangle& t, const std::vector<Point>& points)
 {
-  const FacetCorners<3> corners = carving::CornersOf<3>(points, t);
-  const int side = LongestSide<3>(corners);
-  return Length(corners[(side + 1) % 3] - corners[side]);
+  return LengthOfLongestSide<3>(carving::CornersOf<3>(points, t));
 }
 
 class Cutter

@@ -174,18 +174,12 @@ bool IsInsideOut(const ResolvedMesh& surface)
   return volume < 0;
 }
 
-double LengthOfLongestSide(const std::array<Point, 3>& corners)
-{
-  const int side = LongestSide<3>(corners);
-  return Length(corners[(side + 1) % 3] - corners[side]);
-}
-
 } // namespace
 
 Point PointCloseInFront(const std::array<Point, 3>& corners)
 {
   constexpr double share = 1e-9; // of the longest side: hardly anything is as close
-  return PointInFront(corners, share * LengthOfLongestSide(corners));
+  return PointInFront(corners, share * LengthOfLongestSide<3>(corners));
 }
 
 std::string MakeClosedSurface(ResolvedMesh& surface)
@@ -231,7 +225,7 @@ void TurnPartsOutward(ResolvedMesh& surface)
   {
     const std::array<Point, 3> corners = carving::CornersOf<3>(surface.Points, t);
     std::array<Point, 3>& known = longest.try_emplace(parts.Find(t[0]), corners).first->second;
-    known = LengthOfLongestSide(corners) > LengthOfLongestSide(known) ? corners : known;
+    known = LengthOfLongestSide<3>(corners) > LengthOfLongestSide<3>(known) ? corners : known;
   }
   if (longest.size() == 1)
   {

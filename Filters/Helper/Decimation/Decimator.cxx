@@ -24,11 +24,7 @@ constexpr SurfaceMesh::size_type MostToSlideFirst = 2000;
 Point Raised(const Star& star, const Point& w)
 {
   constexpr double share = 0.01; // of the size of the star
-  Point normal = {};
-  for (const auto& [a, b, c] : star.Corners)
-  {
-    normal = normal + Cross(b - a, c - a);
-  }
+  const Point normal = star.SumNormals();
   const double length = Length(normal);
   return length > 0.0 ? w + share / std::sqrt(length) * normal : w;
 }

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/SurfaceMesh.h"
 
 #include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/Vector.h"
 
 #include <algorithm>
 
@@ -127,6 +128,16 @@ Star::Star(const SurfaceMesh& mesh, Vertex vertex)
     this->AddFace(mesh, h);
     h = RotatedAroundSource(mesh, h);
   } while (h != first);
+}
+
+Point Star::SumNormals() const
+{
+  Point sum = {};
+  for (const auto& [a, b, c] : this->Corners)
+  {
+    sum = sum + Cross(b - a, c - a);
+  }
+  return sum;
 }
 
 void Star::Reserve()

@@ -62,6 +62,9 @@ struct Star
   Star(const SurfaceMesh& mesh, HalfEdge edge);
   Star(const SurfaceMesh& mesh, Vertex vertex);
 
+  /** The sum of the faces' normals, each as long as twice the face's area. */
+  Point SumNormals() const;
+
   std::vector<Face> Faces;                   ///< the two that vanish with an edge come last
   std::vector<std::array<Point, 3>> Corners; ///< of each of these
   Fan Link; ///< the boundary of the star: an edge of each remaining face

@@ -24,11 +24,7 @@ constexpr double Depths = 10.0;
 /** The error with its least value moved inward, by `depth` in a plane. */
 LocalError Lowered(LocalError error, const Star& star, double depth)
 {
-  Point normal = {};
-  for (const auto& [a, b, c] : star.Corners)
-  {
-    normal = normal + Cross(b - a, c - a);
-  }
+  const Point normal = star.SumNormals();
   const double length = Length(normal);
   if (length > 0.0)
   {

@@ -42,8 +42,7 @@ std::vector<Point> Sample(const std::vector<Corners>& faces, double spacing)
     {
       const Corners piece = pieces.back();
       pieces.pop_back();
-      const int longest = LongestSide<3>(piece);
-      if (Length(piece[(longest + 1) % 3] - piece[longest]) > spacing)
+      if (LengthOfLongestSide<3>(piece) > spacing)
       {
         const std::vector<Corners> halves = Halve<3>(piece);
         pieces.insert(pieces.end(), halves.begin(), halves.end());

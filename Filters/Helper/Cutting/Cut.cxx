@@ -133,24 +133,25 @@ bool Cutter::DivideAtEdges(const Part& part, std::vector<Part>& pieces) const
   }
   constexpr double most = 20.0; // of all pieces, in lengths of the whole
   const std::vector<Point>& points = this->Mesh.GetMesh().GetParts().GetPoints();
-  const std::vector<Triangle> divided = DividePolygon(sides, points);
+  std::vector<Triangle> divided = DividePolygon(sides, points);
   double length = 0.0;
   for (const Triangle& piece : divided)
   {
     length += LengthOf(piece, points);
   }
   const bool isNeedle = length > most * LengthOf(part.Corners, points);
-  const auto add = [&](const std::vector<Triangle>& triangles)
+  if (isNeedle)
   {
-    for (const Triangle& piece : triangles)
+    divided.clear();
+    for (const std::vector<int>& side : sides)
     {
-      pieces.push_back({ piece, part.Parent });
+      const std::vector<Triangle> gap = FillGap(side);
+      divided.insert(divided.end(), gap.begin(), gap.end());
     }
-  };
-  add(isNeedle ? std::vector<Triangle>() : divided);
-  for (std::size_t s = 0; s < sides.size() && isNeedle; ++s)
+  }
+  for (const Triangle& piece : divided)
   {
-    add(FillGap(sides[s]));
+    pieces.push_back({ piece, part.Parent });
   }
   return !isNeedle;
 }

@@ -105,11 +105,14 @@ void PiercedMesh::PierceBelowNeedles()
         continue;
       }
       const HullFace face(this->Mesh, cell, f);
-      const std::vector<int> parts =
-        face.IsNeedle ? this->FindPartsAround(cell, f) : std::vector<int>();
+      if (!face.IsNeedle)
+      {
+        continue;
+      }
+      const std::vector<int> parts = this->FindPartsAround(cell, f);
       const auto beyond = std::find_if(parts.begin(), parts.end(),
-        [&](int part)
-        { return Piercer(this->CornersOf(part)).FindContact(face.GetPyramid()).Pierces; });
+        [this, pyramid = face.GetPyramid()](int part)
+        { return Piercer(this->CornersOf(part)).FindContact(pyramid).Pierces; });
       if (beyond != parts.end())
       {
         cell->info().Add({ *beyond, { true, -1 } });

@@ -77,9 +77,8 @@ public:
   void TakeParts(const std::vector<int>& parts);
 
   /**
-   * Lets parts pierce the tetrahedra below needles of the hull that they are beyond by a rounding.
-   * Parts that are faces pierce no others before that, and where solid has been lost below a
-   * needle, any part may be the one that is beyond.
+   * Records which parts are beyond needles of the hull, as piercing the tetrahedra below. Elsewhere,
+   * parts that are faces count as piercing nothing. To be called once the mesh no longer changes.
    */
   void PierceBelowNeedles();
 

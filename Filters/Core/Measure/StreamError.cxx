@@ -12,12 +12,6 @@ namespace carving
 namespace
 {
 
-/**
- * Some thousand queries tell a face's distance. Only slivers in one plane with many facets need
- * more, up to billions. They are very close to M then, so that their bound serves as well.
- */
-constexpr int MostQueries = 20000;
-
 /** What is known of a face's distance. */
 struct FaceBound
 {
@@ -96,7 +90,7 @@ public:
     {
       // The number of queries grows, so that faces which are not the farthest take few.
       const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
-      const bool isLast = queries >= MostQueries;
+      const bool isLast = queries >= MostDistanceQueries;
       work += queries;
       const auto bound = this->Distance.Compute(CornersOf<D>(this->Points, face.Corners), queries);
       this->Candidates.push(

@@ -32,6 +32,13 @@ double LengthOfLongestSide(const FacetCorners<D>& face);
 template <int D>
 std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& face);
 
+/**
+ * Some thousand queries tell the distance of a face. Only slivers in one plane with many facets need
+ * more, up to billions. They are very close to the mesh then, so that their bound may be more than
+ * 1 % too large.
+ */
+constexpr int MostDistanceQueries = 20000;
+
 /** Bounds the largest distance of any point of a face from a mesh, by branch and bound. */
 template <int D>
 class FaceDistance

@@ -34,10 +34,6 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
     const auto [a, b, c] = surface.Triangles[i];
     return std::array<Point, 3>{ surface.Points[a], surface.Points[b], surface.Points[c] };
   };
-  // Up to some thousand decide. Only slivers in one plane with many facets need more, up to
-  // billions. They are very close to the mesh then, so that their bound may be more than 1 % too
-  // large.
-  constexpr int mostQueries = 20000;
   // A sample finds a face that is about as far as any: then it takes few queries to show that the
   // others are not farther.
   constexpr std::size_t sampled = 16;
@@ -52,11 +48,12 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
       farthest = i;
     }
   }
-  FaceDistance<3>::Bound last = distance.Compute(cornersOf(farthest), mostQueries);
+  FaceDistance<3>::Bound last = distance.Compute(cornersOf(farthest), MostDistanceQueries);
   double largest = last.Upper;
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    last = distance.Compute(cornersOf(i), mostQueries, largest, &last.Nearby); // often its neighbor
+    // The last face is often a neighbor.
+    last = distance.Compute(cornersOf(i), MostDistanceQueries, largest, &last.Nearby);
     largest = std::max(largest, last.Upper);
   }
   return largest;

@@ -195,13 +195,11 @@ typename FaceDistance<D>::Bound FaceDistance<D>::Compute(
 
 template <int D>
 double FaceDistance<D>::FindFarther(const std::vector<FacetCorners<D>>& faces, double bound,
-  int queries, const FacetCorners<D>& nearby) const
+  long long& queries, const FacetCorners<D>& nearby) const
 {
-  const std::size_t most = faces.size() * queries;
   double lower = 0.0;
   // Large pieces come before their parts: a point that is too far is mostly found by few of them.
   std::vector<Piece> open;
-  std::size_t asked = 0;
   const auto ask = [&](const FacetCorners<D>& corners, const FacetCorners<D>& start)
   {
     const Piece piece = this->MakePiece(corners, &start, bound, lower);
@@ -209,14 +207,14 @@ double FaceDistance<D>::FindFarther(const std::vector<FacetCorners<D>>& faces, d
     {
       open.push_back(piece);
     }
-    ++asked;
+    --queries;
   };
   for (const FacetCorners<D>& face : faces)
   {
     ask(face, nearby);
   }
   std::size_t next = 0;
-  for (; next < open.size() && lower <= bound && asked < most; ++next)
+  for (; next < open.size() && lower <= bound && queries > 0; ++next)
   {
     const Piece piece = open[next];
     for (const FacetCorners<D>& part : Split(piece.Corners, piece.Closest))

@@ -75,10 +75,10 @@ public:
 
   /**
    * The distance of a point of the faces that is farther than a bound, or 0 if there is none. The
-   * bound itself if this many queries per face do not decide. The first search begins at the facet
-   * `nearby`.
+   * bound itself if no more than `queries` do not decide. Reduces this number by the queries made.
+   * The first search begins at the facet `nearby`.
    */
-  double FindFarther(const std::vector<FacetCorners<D>>& faces, double bound, int queries,
+  double FindFarther(const std::vector<FacetCorners<D>>& faces, double bound, long long& queries,
     const FacetCorners<D>& nearby) const;
 
 private:

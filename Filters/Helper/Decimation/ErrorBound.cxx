@@ -14,13 +14,23 @@ namespace
  * Large faces above fine facets take some hundred. With 64, surfaces kept up to five times as many
  * vertices.
  */
-constexpr int MostQueries = 4000;
+constexpr long long MostQueries = 4000;
+
+/**
+ * Queries per face on average: mostly, faces take 5 to 30. Where large parts of faces are as far as
+ * the bound, all of them would take the greatest number and still be turned away.
+ */
+constexpr long long MostQueriesOnAverage = 100;
+
+/** So that the first faces may take the greatest number. */
+constexpr long long QueriesSavedAtFirst = 100 * MostQueries;
 
 } // namespace
 
 ErrorBound::ErrorBound(const FaceDistance<3>& fromM, std::size_t numberOfEdges)
   : FromM(fromM)
   , Excesses(numberOfEdges, 0.0)
+  , SavedQueries(QueriesSavedAtFirst)
 {
 }
 
@@ -48,7 +58,7 @@ void ErrorBound::ForgetAll()
 }
 
 /** The distance of a point of the new faces that is too large, or 0 if there is none. */
-double ErrorBound::FindExcess(const Star& star, const Point& w) const
+double ErrorBound::FindExcess(const Star& star, const Point& w)
 {
   if (this->Bound == std::numeric_limits<double>::infinity())
   {
@@ -66,7 +76,13 @@ double ErrorBound::FindExcess(const Star& star, const Point& w) const
   {
     faces.push_back({ a, b, w });
   }
-  return this->FromM.FindFarther(faces, this->Bound, MostQueries, nearby);
+  const auto count = static_cast<long long>(faces.size());
+  this->SavedQueries += count * MostQueriesOnAverage;
+  const long long most = std::min(count * MostQueries, this->SavedQueries);
+  long long left = most;
+  const double excess = this->FromM.FindFarther(faces, this->Bound, left, nearby);
+  this->SavedQueries -= most - left;
+  return excess;
 }
 
 } // namespace carving::helper

@@ -34,7 +34,7 @@ public:
   bool Raise(double bound);
 
   /** Whether no new face of a star with w in the middle is farther. */
-  bool Allows(const Star& star, const Point& w) const
+  bool Allows(const Star& star, const Point& w)
   {
     return this->FindExcess(star, w) == 0.0;
   }
@@ -58,11 +58,12 @@ public:
   void ForgetAll();
 
 private:
-  double FindExcess(const Star& star, const Point& w) const;
+  double FindExcess(const Star& star, const Point& w);
 
   const FaceDistance<3>& FromM;
   double Bound = 0.0;
   std::vector<double> Excesses; ///< per edge: the least distance that was too large, or 0
+  long long SavedQueries;       ///< that faces up to now could have taken on average
 };
 
 } // namespace carving::helper

@@ -184,16 +184,21 @@ TEST(FaceDistance, FindsWhatIsFartherThanABound)
   {
     const FacetCorners<3> face = RandomFace(random);
     const FacetCorners<3> nearby = distance.GetTree().GetItems().CornersOf(anyFacet(random));
-    constexpr int manyQueries = 100000;
+    constexpr long long manyQueries = 100000;
     const auto bound = distance.Compute(face, manyQueries);
     ASSERT_TRUE(bound.Final);
-    EXPECT_EQ(distance.FindFarther({ face }, 1.01 * bound.Upper, manyQueries, nearby), 0.0);
+    long long queries = manyQueries;
+    EXPECT_EQ(distance.FindFarther({ face }, 1.01 * bound.Upper, queries, nearby), 0.0);
+    EXPECT_GT(queries, 0);
+    EXPECT_LT(queries, manyQueries);
     const double below = 0.99 * bound.Lower;
-    const double farther = distance.FindFarther({ face }, below, manyQueries, nearby);
+    const double farther = distance.FindFarther({ face }, below, queries, nearby);
     EXPECT_GT(farther, below);
     EXPECT_LE(farther, bound.Upper);
     // The bound, if one query is too few.
-    EXPECT_GE(distance.FindFarther({ face }, below, 1, nearby), below);
+    queries = 1;
+    EXPECT_GE(distance.FindFarther({ face }, below, queries, nearby), below);
+    EXPECT_EQ(queries, 0);
   }
 }
 

@@ -3,11 +3,9 @@
 
 #include "Core/Mesh/Buckets.h"
 #include "Core/Mesh/DisjointSets.h"
-#include "Core/Mesh/FaceDistance.h"
 #include "Core/Mesh/Vector.h"
-#include "Core/Solid/WindingTree.h"
+#include "Helper/Base/ExactWinding.h"
 #include "Helper/Base/Kernels.h"
-#include "Helper/Base/PointInFront.h"
 #include "Helper/Resolve/Intersections.h"
 
 #include <CGAL/determinant.h>
@@ -176,12 +174,6 @@ bool IsInsideOut(const ResolvedMesh& surface)
 
 } // namespace
 
-Point PointCloseInFront(const std::array<Point, 3>& corners)
-{
-  constexpr double share = 1e-9; // of the longest side: hardly anything is as close
-  return PointInFront(corners, share * LengthOfLongestSide<3>(corners));
-}
-
 std::string MakeClosedSurface(ResolvedMesh& surface)
 {
   if (surface.Facets.empty())
@@ -220,23 +212,26 @@ void TurnPartsOutward(ResolvedMesh& surface)
     parts.Unite(a, b);
     parts.Unite(b, c);
   }
-  std::map<int, std::array<Point, 3>> longest; // per part: the triangle's corners
-  for (const Triangle& t : surface.Facets)
+  const auto sizeOf = [&](int facet)
   {
-    const std::array<Point, 3> corners = carving::CornersOf<3>(surface.Points, t);
-    std::array<Point, 3>& known = longest.try_emplace(parts.Find(t[0]), corners).first->second;
-    known = LengthOfLongestSide<3>(corners) > LengthOfLongestSide<3>(known) ? corners : known;
+    const auto [a, b, c] = carving::CornersOf<3>(surface.Points, surface.Facets[facet]);
+    return Length(Cross(b - a, c - a));
+  };
+  std::map<int, int> largest; // per part: the facet
+  for (int facet = 0; facet < static_cast<int>(surface.Facets.size()); ++facet)
+  {
+    int& known = largest.try_emplace(parts.Find(surface.Facets[facet][0]), facet).first->second;
+    known = sizeOf(facet) > sizeOf(known) ? facet : known;
   }
-  if (longest.size() == 1)
+  if (largest.size() == 1)
   {
     return;
   }
-  const WindingTree windings(surface);
+  const ExactWinding winding(surface);
   std::set<int> insideOut;
-  for (const auto& [part, corners] : longest)
+  for (const auto& [part, facet] : largest)
   {
-    constexpr double half = 0.5;
-    if (windings.Measure(PointCloseInFront(corners), { half }) < -half)
+    if (winding.InFrontOf(facet).value_or(0) < 0)
     {
       insideOut.insert(part);
     }

@@ -8,7 +8,6 @@
 
 #include "Core/Mesh/Mesh.h"
 
-#include <array>
 #include <string>
 
 namespace carving::helper
@@ -27,9 +26,6 @@ std::string MakeClosedSurface(ResolvedMesh& surface);
  * front of them is negative.
  */
 void TurnPartsOutward(ResolvedMesh& surface);
-
-/** A point in front of the center of a triangle with an area, and close to it. */
-Point PointCloseInFront(const std::array<Point, 3>& corners);
 
 } // namespace carving::helper
 

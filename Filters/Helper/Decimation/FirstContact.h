@@ -7,7 +7,7 @@
 #define carving_FirstContact_h
 
 #include "Helper/Decimation/HalfSpaces.h"
-#include "Helper/Decimation/Slab.h"
+#include "Helper/Base/Slab.h"
 
 #include <optional>
 #include <vector>

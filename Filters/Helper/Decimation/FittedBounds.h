@@ -6,7 +6,7 @@
 #ifndef carving_FittedBounds_h
 #define carving_FittedBounds_h
 
-#include "Helper/Decimation/Slab.h"
+#include "Helper/Base/Slab.h"
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Decimation/Sheets.h"
 
-#include "Core/Solid/WindingTree.h"
-#include "Helper/Decimation/ClosedSurface.h"
+#include "Helper/Base/ExactWinding.h"
 #include "Helper/Resolve/Clean.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace carving::helper
@@ -16,13 +14,6 @@ namespace
 
 /** The corners in ascending order, and the face. */
 using FaceWithCorners = std::pair<std::array<Point, 3>, Face>;
-
-/** Whether the exterior lies in front of a face. Only its opposite may cover the face. */
-bool IsExteriorInFront(const WindingTree& windings, const std::array<Point, 3>& corners)
-{
-  constexpr double half = 0.5;
-  return std::abs(windings.Measure(PointCloseInFront(corners), { half })) < half;
-}
 
 } // namespace
 
@@ -45,9 +36,10 @@ std::vector<char> FindSheets(const SurfaceMesh& surface)
     return isSheet;
   }
   const ResolvedMesh mesh = AsResolved(AsTriangleMesh(surface));
-  const WindingTree windings(mesh);
+  const ExactWinding winding(mesh);
+  // Only its opposite may cover a face.
   const auto isExteriorInFront = [&](const FaceWithCorners& face)
-  { return IsExteriorInFront(windings, CornersOf(surface, face.second)); };
+  { return winding.InFrontOf(static_cast<int>(face.second)) == 0; };
   while (first != faces.end())
   {
     const auto last = std::find_if(first, faces.end(),

@@ -4,13 +4,12 @@
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/Winding.h"
-#include "Core/Solid/WindingTree.h"
-#include "Helper/Base/PointInFront.h"
+#include "Helper/Base/ExactWinding.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/FacetNeighbors.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 namespace carving::helper
 {
@@ -30,13 +29,6 @@ double Width(const ResolvedMesh& mesh, int facet)
   const auto& [a, b, c] = mesh.Facets[facet];
   const Point &p = mesh.Points[a], &q = mesh.Points[b], &r = mesh.Points[c];
   return Length(Cross(q - p, r - p)) / std::max({ Length(q - p), Length(r - q), Length(p - r) });
-}
-
-/** A point just in front of a facet. */
-Point PointJustInFront(const ResolvedMesh& mesh, int facet)
-{
-  constexpr double share = 1e-5; // of the width
-  return PointInFront(CornersOf<3>(mesh.Points, mesh.Facets[facet]), share * Width(mesh, facet));
 }
 
 /** The facets that are connected to `seed` by neighbors, `seed` first. */
@@ -62,13 +54,12 @@ std::vector<int> Patch(
 /**
  * Finds the winding numbers on both sides of every facet. One measurement per patch suffices, at
  * its widest facet: from a facet to its neighbor, the winding numbers of the two sides do not
- * change. Returns false if one is not close to an integer.
+ * change. Returns false if one cannot be found.
  */
 bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
 {
-  constexpr double Ambiguous = 0.1;
   const std::vector<FacetNeighbors> neighbors = FindFacetNeighbors(mesh);
-  const WindingTree tree(mesh);
+  const ExactWinding winding(mesh);
   const int numberOfFacets = static_cast<int>(mesh.Facets.size());
   sides.resize(numberOfFacets);
   std::vector<char> reached(numberOfFacets, 0), known(numberOfFacets, 0);
@@ -81,13 +72,12 @@ bool MeasureSides(const ResolvedMesh& mesh, std::vector<Sides>& sides)
     const std::vector<int> patch = Patch(seed, neighbors, reached);
     const int widest = *std::max_element(
       patch.begin(), patch.end(), [&](int a, int b) { return Width(mesh, a) < Width(mesh, b); });
-    const double winding = tree.Measure(PointJustInFront(mesh, widest), { Ambiguous });
-    const int front = static_cast<int>(std::round(winding));
-    if (!(std::abs(winding - front) <= Ambiguous))
+    const std::optional<int> front = winding.InFrontOf(widest);
+    if (!front)
     {
       return false;
     }
-    sides[widest] = { front, front + mesh.SignedMultiplicities[widest] };
+    sides[widest] = { *front, *front + mesh.SignedMultiplicities[widest] };
     for (const int facet : Patch(widest, neighbors, known))
     {
       for (const FacetNeighbor& neighbor : neighbors[facet])
@@ -131,7 +121,7 @@ int DropInterior(SolidRule rule, ResolvedMesh& mesh)
     }
   }
   const std::size_t dropped = mesh.Facets.size() - boundary.Facets.size();
-  if (dropped == 0 || !IsClosed(boundary)) // not closed: the winding number of some side is wrong
+  if (dropped == 0 || !IsClosed(boundary)) // not closed: some facets cross each other after all
   {
     return 0;
   }

@@ -98,6 +98,25 @@ TEST(Interior, LeavesTheSolidAsItIs)
   EXPECT_GT(dropped, 100);
 }
 
+// Walls that are very close to each other stay: only the overlap of two other boxes is dropped.
+TEST(Interior, LeavesWallsCloseToEachOther)
+{
+  for (const double gap : { 1e-4, 1e-8, 1e-12 })
+  {
+    const TriangleMesh left = models::Box({ 10, 0, 0 }, { 13, 2, 3 }),
+                       right = models::Box({ 13 + gap, 0, 0 }, { 16, 2, 3 });
+    for (const TriangleMesh& close :
+      { models::Joined(left, right), models::Joined(models::Flipped(left), right) })
+    {
+      const ResolvedMesh whole = Resolved(models::Joined(close, OverlappingBoxes()));
+      ResolvedMesh mesh = whole;
+      EXPECT_GT(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
+      EXPECT_EQ(BoundaryOfSolid(mesh, SolidRule::NonzeroWinding),
+        BoundaryOfSolid(whole, SolidRule::NonzeroWinding));
+    }
+  }
+}
+
 // An open mesh is unchanged.
 TEST(Interior, IsUnknownOfOpenMeshes)
 {

@@ -8,6 +8,7 @@
 #include "Core/Mesh/LargePages.h"
 #include "Core/Protocol/Protocol.h"
 #include "Core/Protocol/SecondsSince.h"
+#include "Core/Solid/Cracks.h"
 #include "Core/Solid/DropSolid.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
@@ -103,6 +104,7 @@ void DropSolidOf(const Job& job, Reply& reply, Reporter& reporter)
   if (job.DropSolid != 0 && reply.Error.empty() && reply.Result.Kept.empty())
   {
     reporter.Begin(Stage::Classify);
+    reply.CracksSealed = SealCracks(reply.Result, job.Solid, job.Processes);
     reply.Regions = Classify(reply.Result, job.Solid, job.Processes);
     DropSolid(reply.Result, reply.Regions);
     reporter.End();

@@ -5,6 +5,7 @@
 #include "Core/Measure/StreamError.h"
 #include "Core/Measure/StreamTopology.h"
 #include "Core/Mesh/ForEach.h"
+#include "Core/Solid/Cracks.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,6 +23,11 @@ carving::Classification Classify(
     return std::move(leaf.Reply.Regions);
   }
   const CarverStages::Timer timer(stages, static_cast<int>(carving::Stage::Classify));
+  if constexpr (D == 3)
+  {
+    leaf.Reply.CracksSealed +=
+      carving::SealCracks(leaf.Reply.Result, settings.Solid, settings.ThreadsOfLeaf);
+  }
   return carving::Classify(Kind<D>::GetResult(leaf.Reply), settings.Solid, settings.ThreadsOfLeaf);
 }
 

@@ -40,6 +40,11 @@ void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>
     notes.push_back(std::to_string(reply.InteriorDropped) +
       " triangles inside the solid were left out. No level would show them.");
   }
+  if (reply.CracksSealed > 0)
+  {
+    notes.push_back("The mesh has cracks narrower than a millionth of its diagonal: " +
+      std::to_string(reply.CracksSealed) + " triangles were added to close its solid.");
+  }
   if (reply.SnapDistance > 0.0)
   {
     std::ostringstream text;

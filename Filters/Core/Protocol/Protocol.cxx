@@ -109,6 +109,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Value(reply.MetShare);
   archive.Value(reply.PointsAdded);
   archive.Value(reply.InteriorDropped);
+  archive.Value(reply.CracksSealed);
   archive.Value(reply.SolidMatters);
   archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);

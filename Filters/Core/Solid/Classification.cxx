@@ -75,10 +75,12 @@ void FindRegions(const Decomposition<D>& mesh, Classification& result)
 template <int D>
 void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
 {
-  // Dijkstra's shortest paths by the number of triangles crossed.
+  // Dijkstra's shortest paths by the number of triangles crossed. No path leads through facets that
+  // stand for no triangle, with which SealCracks divides regions.
   using Entry = std::pair<int, int>; // crossed so far, region
   const auto crossings = FindCrossings(mesh, result);
-  std::vector<int> crossed(crossings.size(), std::numeric_limits<int>::max());
+  constexpr int unknown = std::numeric_limits<int>::max();
+  std::vector<int> crossed(crossings.size(), unknown);
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (const int region : FindOutside(result))
   {
@@ -95,8 +97,9 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
     }
     for (const Crossing& crossing : crossings[from])
     {
-      const int through = distance + mesh.Surface.Multiplicities[crossing.Triangle];
-      if (through < crossed[crossing.Region])
+      const int count = mesh.Surface.Multiplicities[crossing.Triangle];
+      const int through = distance + count;
+      if (count > 0 && through < crossed[crossing.Region])
       {
         crossed[crossing.Region] = through;
         queue.push({ through, crossing.Region });
@@ -105,12 +108,16 @@ void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
   }
   for (std::size_t from = 0; from < crossings.size(); ++from)
   {
+    if (crossed[from] == unknown)
+    {
+      continue;
+    }
     for (const Crossing& crossing : crossings[from])
     {
       Region& region = result.Regions[crossing.Region];
       const int count = mesh.Surface.Multiplicities[crossing.Triangle];
       const bool odd = crossed[crossing.Region] % 2 != 0;
-      if (region.Kind != RegionKind::Outside)
+      if (region.Kind != RegionKind::Outside && count > 0)
       {
         region.Kind = odd ? RegionKind::Solid : RegionKind::Void;
         // Guessed if another path has another parity.

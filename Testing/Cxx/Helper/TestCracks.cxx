@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/Validity.h"
+#include "Core/Mesh/Vector.h"
+#include "Core/Solid/Cracks.h"
+#include "HelperRun.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+using namespace carving;
+
+namespace
+{
+
+/**
+ * The surface of the box from 0 to `size`. Side i is a grid of n[i] by n[i] squares with points of
+ * its own, so that most vertices of fine sides lie on edges of coarse ones.
+ */
+TriangleMesh PatchedBox(const Point& size, const std::array<int, 6>& n)
+{
+  TriangleMesh mesh;
+  for (int side = 0; side < 6; ++side)
+  {
+    const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const int first = static_cast<int>(mesh.Points.size()), row = n[side] + 1;
+    for (int i = 0; i < row * row; ++i)
+    {
+      Point& p = mesh.Points.emplace_back();
+      p[axis] = side % 2 == 0 ? 0.0 : size[axis];
+      p[u] = size[u] * (i % row) / n[side];
+      p[v] = size[v] * (i / row) / n[side];
+    }
+    for (int i = 0; i < n[side]; ++i)
+    {
+      for (int j = 0; j < n[side]; ++j)
+      {
+        const int a = first + i * row + j, b = a + 1, c = a + row, d = c + 1;
+        for (Triangle t : { Triangle{ a, b, d }, Triangle{ a, d, c } })
+        {
+          mesh.Triangles.push_back(side % 2 == 0 ? Flipped<3>(t) : t);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh InSinglePrecision(TriangleMesh mesh)
+{
+  for (Point& p : mesh.Points)
+  {
+    for (double& x : p)
+    {
+      x = static_cast<float>(x);
+    }
+  }
+  return mesh;
+}
+
+double VolumeOfSolid(const Tetrahedralization& mesh, const Classification& regions)
+{
+  double volume = 0.0;
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    const RegionKind kind = regions.Kind(cell);
+    const bool isInside = kind == RegionKind::Solid || kind == RegionKind::Kept;
+    volume += isInside ? Size(CornersOfCell(mesh, cell)) : 0.0;
+  }
+  return volume;
+}
+
+} // namespace
+
+// Boxes whose sides do not share edges keep their solid when they are turned and rounded, which
+// opens cracks along these edges; exactly and enclosed, by both rules, and inside out.
+TEST(Cracks, LeaveTheSolidClosed)
+{
+  const std::array<int, 6> counts[] = { { 3, 1, 1, 1, 1, 1 }, { 3, 2, 4, 1, 2, 3 },
+    { 2, 3, 4, 5, 7, 6 } };
+  std::mt19937_64 random(1);
+  int sealed = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    TriangleMesh box = models::Rotated(PatchedBox({ 3, 2, 1 }, counts[i % 3]), random);
+    box = i % 2 == 0 ? box : InSinglePrecision(box);
+    Job job;
+    job.Mesh = i % 4 < 2 ? box : models::Flipped(box);
+    job.Conformity = i % 6 == 5 ? Conformity::Enclosing : Conformity::Auto;
+    job.EnclosingTolerance = 0.02;
+    for (const SolidRule rule : { SolidRule::NonzeroWinding, SolidRule::EvenOdd })
+    {
+      job.Solid = rule;
+      Tetrahedralization mesh = GetReply(job).Result;
+      sealed += SealCracks(mesh, rule, 1) > 0;
+      EXPECT_EQ(FindMistake(mesh), "");
+      const double volume = VolumeOfSolid(mesh, Classify(mesh, rule));
+      EXPECT_NEAR(volume, 6.0, job.Conformity == Conformity::Enclosing ? 0.3 : 1e-4) << i;
+      EXPECT_EQ(SealCracks(mesh, rule, 1), 0) << "all have been sealed";
+    }
+  }
+  EXPECT_GT(sealed, 12);
+}
+
+// The seals have hardly any area, and take over the sources of facets that they touch.
+TEST(Cracks, AreClosedByThinFacets)
+{
+  std::mt19937_64 random(2);
+  Job job;
+  job.Mesh = models::Rotated(PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random);
+  job.Conformity = Conformity::Auto;
+  Tetrahedralization mesh = GetReply(job).Result;
+  const std::size_t own = mesh.Surface.Facets.size();
+  const int seals = SealCracks(mesh, SolidRule::NonzeroWinding, 1);
+  ASSERT_GT(seals, 0);
+  ASSERT_EQ(mesh.Surface.Facets.size(), own + seals);
+  double area = 0.0;
+  for (std::size_t f = own; f < mesh.Surface.Facets.size(); ++f)
+  {
+    const auto& [a, b, c] = mesh.Surface.Facets[f];
+    const std::vector<Point>& points = mesh.Surface.Points;
+    area += Length(Cross(points[b] - points[a], points[c] - points[a])) / 2.0;
+    const auto& sources = mesh.Surface.FacetSources;
+    bool touches = false;
+    for (std::size_t other = 0; other < own; ++other)
+    {
+      const Triangle& t = mesh.Surface.Facets[other];
+      touches = touches || (sources[other] == sources[f] &&
+          std::any_of(t.begin(), t.end(), [=](int p) { return p == a || p == b || p == c; }));
+    }
+    EXPECT_TRUE(touches) << f;
+  }
+  EXPECT_LT(area, 1e-10);
+}
+
+// A slit that is wider than a crack lets the outside in.
+TEST(Cracks, AreNoWideSlits)
+{
+  TriangleMesh box = PatchedBox({ 3, 2, 1 }, { 1, 1, 1, 1, 1, 1 });
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    box.Points[i][0] -= 1e-3; // the first side
+  }
+  Tetrahedralization mesh = GetReply(box).Result;
+  EXPECT_EQ(SealCracks(mesh, SolidRule::NonzeroWinding, 1), 0);
+  EXPECT_EQ(VolumeOfSolid(mesh, Classify(mesh)), 0.0);
+}

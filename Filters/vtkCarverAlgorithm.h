@@ -251,6 +251,10 @@ public:
    *   hollow.
    * - SURFACE_ONLY: none. The inside of a closed mesh is carved, too.
    *
+   * Triangles are added across cracks that are narrower than a millionth of M's diagonal, through
+   * which the solid would be connected to the outside; then a note gives their number. Such cracks
+   * open where vertices lie on edges of other triangles and coordinates are rounded.
+   *
    * For a mesh that is open or inconsistently oriented, the first two rules may have to guess; then
    * a note says so. If the first attempts at a tetrahedralization failed, further attempts depend
    * on the rule: a change of the rule then runs the helper program again.

@@ -160,6 +160,35 @@ TriangleMesh Sheet(int n)
   return mesh;
 }
 
+TriangleMesh PatchedBox(const Point& size, const std::array<int, 6>& n)
+{
+  TriangleMesh mesh;
+  for (int side = 0; side < 6; ++side)
+  {
+    const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const int first = static_cast<int>(mesh.Points.size()), row = n[side] + 1;
+    for (int i = 0; i < row * row; ++i)
+    {
+      Point& p = mesh.Points.emplace_back();
+      p[axis] = side % 2 == 0 ? 0.0 : size[axis];
+      p[u] = size[u] * (i % row) / n[side];
+      p[v] = size[v] * (i / row) / n[side];
+    }
+    for (int i = 0; i < n[side]; ++i)
+    {
+      for (int j = 0; j < n[side]; ++j)
+      {
+        const int a = first + i * row + j, b = a + 1, c = a + row, d = c + 1;
+        for (Triangle t : { Triangle{ a, b, d }, Triangle{ a, d, c } })
+        {
+          mesh.Triangles.push_back(side % 2 == 0 ? carving::Flipped<3>(t) : t);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 TriangleMesh Lattice(int n)
 {
   TriangleMesh mesh;

@@ -31,6 +31,11 @@ TriangleMesh CrossingTori();
 TriangleMesh BumpyTorus(int points);
 /** An open sheet over the unit square in the xy plane, n x n quadrilaterals, split in two. */
 TriangleMesh Sheet(int n);
+/**
+ * The surface of the box from 0 to `size`. Side i is a grid of n[i] by n[i] squares with points of
+ * its own, so that vertices of fine sides lie on edges of coarse ones.
+ */
+TriangleMesh PatchedBox(const carving::Point& size, const std::array<int, 6>& n);
 /** n upright triangles along x, each of which crosses each of n others along y: n x n pairs. */
 TriangleMesh Lattice(int n);
 

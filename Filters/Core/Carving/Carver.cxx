@@ -3,6 +3,7 @@
 
 #include "Core/Budget/Budget.h"
 #include "Core/Carving/CarvableCells.h"
+#include "Core/Carving/LoosePieces.h"
 #include "Core/Mesh/Fetch.h"
 #include "Core/Mesh/LargePages.h"
 #include "Core/Mesh/Vector.h"
@@ -109,6 +110,7 @@ public:
       carved += static_cast<int>(taken.size());
     }
     this->Cells.Write(this->Out);
+    CarveLoosePieces(this->Mesh, this->Out);
     return GoOn(progress, 1.0);
   }
 

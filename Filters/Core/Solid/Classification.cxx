@@ -19,58 +19,6 @@ namespace carving
 namespace
 {
 
-/** Finds the regions. All enclosed ones are marked as Void for now. */
-template <int D>
-void FindRegions(const Decomposition<D>& mesh, Classification& result)
-{
-  const int numberOfCells = static_cast<int>(mesh.Cells.size());
-  result.RegionOfCell.assign(numberOfCells, -1);
-  if (!mesh.Kept.empty())
-  {
-    result.Regions.emplace_back().Kind = RegionKind::Kept;
-    for (int cell = 0; cell < numberOfCells; ++cell)
-    {
-      result.RegionOfCell[cell] = mesh.Kept[cell] ? 0 : -1;
-    }
-  }
-  std::vector<int> stack;
-  for (int seed = 0; seed < numberOfCells; ++seed)
-  {
-    if (result.RegionOfCell[seed] >= 0)
-    {
-      continue;
-    }
-    const int region = static_cast<int>(result.Regions.size());
-    bool enclosed = true;
-    result.RegionOfCell[seed] = region;
-    stack.push_back(seed);
-    while (!stack.empty())
-    {
-      const int cell = stack.back();
-      stack.pop_back();
-      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Neighbors);
-      for (int f = 0; f <= D; ++f)
-      {
-        if (mesh.Constraints.Has(cell, f))
-        {
-          continue;
-        }
-        const int neighbor = mesh.Neighbors[cell][f];
-        if (neighbor < 0)
-        {
-          enclosed = false;
-        }
-        else if (result.RegionOfCell[neighbor] < 0)
-        {
-          result.RegionOfCell[neighbor] = region;
-          stack.push_back(neighbor);
-        }
-      }
-    }
-    result.Regions.emplace_back().Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
-  }
-}
-
 /** Regions separated from the outside by an odd number of triangles are solid. */
 template <int D>
 void ClassifyByParity(const Decomposition<D>& mesh, Classification& result)
@@ -161,10 +109,62 @@ void ClassifyByWinding(const Decomposition<D>& mesh, int threads, Classification
 } // namespace
 
 template <int D>
-Classification Classify(const Decomposition<D>& mesh, SolidRule rule, int threads)
+Classification FindRegions(const Decomposition<D>& mesh)
 {
   Classification result;
-  FindRegions(mesh, result);
+  const int numberOfCells = static_cast<int>(mesh.Cells.size());
+  result.RegionOfCell.assign(numberOfCells, -1);
+  if (!mesh.Kept.empty())
+  {
+    result.Regions.emplace_back().Kind = RegionKind::Kept;
+    for (int cell = 0; cell < numberOfCells; ++cell)
+    {
+      result.RegionOfCell[cell] = mesh.Kept[cell] ? 0 : -1;
+    }
+  }
+  std::vector<int> stack;
+  for (int seed = 0; seed < numberOfCells; ++seed)
+  {
+    if (result.RegionOfCell[seed] >= 0)
+    {
+      continue;
+    }
+    const int region = static_cast<int>(result.Regions.size());
+    bool enclosed = true;
+    result.RegionOfCell[seed] = region;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const int cell = stack.back();
+      stack.pop_back();
+      FetchNeighbors(mesh, cell, result.RegionOfCell, mesh.Neighbors);
+      for (int f = 0; f <= D; ++f)
+      {
+        if (mesh.Constraints.Has(cell, f))
+        {
+          continue;
+        }
+        const int neighbor = mesh.Neighbors[cell][f];
+        if (neighbor < 0)
+        {
+          enclosed = false;
+        }
+        else if (result.RegionOfCell[neighbor] < 0)
+        {
+          result.RegionOfCell[neighbor] = region;
+          stack.push_back(neighbor);
+        }
+      }
+    }
+    result.Regions.emplace_back().Kind = enclosed ? RegionKind::Void : RegionKind::Outside;
+  }
+  return result;
+}
+
+template <int D>
+void ClassifyRegions(
+  const Decomposition<D>& mesh, SolidRule rule, int threads, Classification& result)
+{
   switch (rule)
   {
     case SolidRule::NonzeroWinding:
@@ -184,8 +184,18 @@ Classification Classify(const Decomposition<D>& mesh, SolidRule rule, int thread
     case SolidRule::SurfaceOnly:
       break; // nothing is solid
   }
+}
+
+template <int D>
+Classification Classify(const Decomposition<D>& mesh, SolidRule rule, int threads)
+{
+  Classification result = FindRegions(mesh);
+  ClassifyRegions(mesh, rule, threads, result);
   return result;
 }
+
+template Classification FindRegions<3>(const Decomposition<3>&);
+template void ClassifyRegions<3>(const Decomposition<3>&, SolidRule, int, Classification&);
 
 template Classification Classify<2>(const Decomposition<2>&, SolidRule, int);
 template Classification Classify<3>(const Decomposition<3>&, SolidRule, int);

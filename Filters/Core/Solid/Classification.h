@@ -72,10 +72,21 @@ struct Classification
 };
 
 /**
- * Finds and classifies the regions, which are numbered in the order of their first tetrahedron. A
- * region that is connected to the outside is never solid. The solid angles are measured by
- * several threads.
+ * Finds the regions, which are numbered in the order of their first tetrahedron. All enclosed ones
+ * are marked as Void.
  */
+template <int D>
+Classification FindRegions(const Decomposition<D>& mesh);
+
+/**
+ * Classifies the regions that are marked as Void. A region that is connected to the outside is
+ * never solid. The solid angles are measured by several threads.
+ */
+template <int D>
+void ClassifyRegions(
+  const Decomposition<D>& mesh, SolidRule rule, int threads, Classification& result);
+
+/** Finds and classifies the regions. */
 template <int D>
 Classification Classify(
   const Decomposition<D>& mesh, SolidRule rule = SolidRule::NonzeroWinding, int threads = 1);

@@ -4,7 +4,7 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
-#include "Core/Mesh/FaceDistance.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Solid/Winding.h"
 
 #include <algorithm>
@@ -26,22 +26,35 @@ double AreaOf(const FacetCorners<3>& face)
   return Length(Cross(face[1] - face[0], face[2] - face[0])) / 2.0;
 }
 
-/** The faces that are no wider than a crack and lie on no facet, each once. */
-std::vector<CellFace> FindThinFaces(const Tetrahedralization& mesh, double width)
+/** Whether the least height of a face is at most the width of a crack. */
+bool IsThin(const FacetCorners<3>& face, double width)
+{
+  const Point sides[] = { face[1] - face[0], face[2] - face[1], face[0] - face[2] };
+  const Point normal = Cross(sides[0], sides[1]); // twice the area long
+  const double longest =
+    std::max({ Dot(sides[0], sides[0]), Dot(sides[1], sides[1]), Dot(sides[2], sides[2]) });
+  return Dot(normal, normal) <= width * width * longest;
+}
+
+/**
+ * The faces that are no wider than a crack and lie on no facet, in regions that are connected to
+ * the outside, each once.
+ */
+std::vector<CellFace> FindThinFaces(
+  const Tetrahedralization& mesh, const Classification& regions, double width)
 {
   std::vector<CellFace> faces;
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
-    for (int f = 0; f < 4; ++f)
+    for (int f = 0; regions.Kind(cell) == RegionKind::Outside && f < 4; ++f)
     {
       const int neighbor = mesh.Neighbors[cell][f];
       const bool isOfOther = neighbor >= 0 && (neighbor < cell || mesh.IsKept(neighbor));
-      if (isOfOther || mesh.IsKept(cell) || mesh.Constraints.Has(cell, f))
+      if (isOfOther || mesh.Constraints.Has(cell, f))
       {
         continue;
       }
-      const auto face = CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f));
-      if (2.0 * AreaOf(face) <= width * LengthOfLongestSide<3>(face))
+      if (IsThin(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f)), width))
       {
         faces.push_back({ cell, f });
       }
@@ -56,8 +69,8 @@ bool IsThick(const Tetrahedralization& mesh, int cell, double width)
   double largest = 0.0;
   for (int f = 0; f < 4; ++f)
   {
-    largest = std::max(
-      largest, AreaOf(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
+    largest =
+      std::max(largest, AreaOf(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
   }
   return 3.0 * Size(CornersOfCell(mesh, cell)) > width * largest;
 }
@@ -111,23 +124,53 @@ void AddFacets(Tetrahedralization& mesh, const std::vector<CellFace>& faces)
   mesh.Constraints = std::move(constraints);
 }
 
+/** Per region: whether not all its cells are thinner than a crack. */
+std::vector<char> FindThickRegions(
+  const Tetrahedralization& mesh, const Classification& regions, double width)
+{
+  std::vector<char> thick(regions.Regions.size(), 0);
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    char& isThick = thick[regions.RegionOfCell[cell]];
+    isThick = isThick || IsThick(mesh, cell, width);
+  }
+  return thick;
+}
+
+/**
+ * Leaves those regions marked as Void for which the rule is asked: thick parts of regions that are
+ * connected to the outside as long as nothing divides them. Returns whether there are any.
+ */
+bool MarkAsked(
+  const Classification& undivided, const std::vector<char>& thick, Classification& regions)
+{
+  std::vector<char> isAsked(regions.Regions.size(), 0);
+  for (int cell = 0; cell < static_cast<int>(regions.RegionOfCell.size()); ++cell)
+  {
+    const int region = regions.RegionOfCell[cell];
+    isAsked[region] = thick[region] && regions.Kind(cell) == RegionKind::Void &&
+      undivided.Kind(cell) == RegionKind::Outside;
+  }
+  for (std::size_t region = 0; region < isAsked.size(); ++region)
+  {
+    RegionKind& kind = regions.Regions[region].Kind;
+    kind = kind == RegionKind::Void && !isAsked[region] ? RegionKind::Kept : kind;
+  }
+  return std::find(isAsked.begin(), isAsked.end(), 1) != isAsked.end();
+}
+
 /** The regions of a mesh that thin faces divide, and those among them that are solid. */
 class DividedRegions
 {
 public:
   DividedRegions(
-    const Tetrahedralization& mesh, const Classification& regions, double width)
+    const Tetrahedralization& mesh, const Classification& regions, const std::vector<char>& thick)
     : Mesh(mesh)
     , Regions(regions)
-    , Sets(regions.Regions.size() + 1)
-    , Thick(regions.Regions.size(), 0)
-    , Open(regions.Regions.size() + 1, 0)
+    , Thick(thick)
+    , Sets(thick.size() + 1)
+    , Open(thick.size() + 1, 0)
   {
-    for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-    {
-      char& thick = this->Thick[regions.RegionOfCell[cell]];
-      thick = thick || IsThick(mesh, cell, width);
-    }
   }
 
   /** Unites the regions on both sides of faces, unless one is thick and solid. */
@@ -175,16 +218,17 @@ private:
 
   const Tetrahedralization& Mesh;
   const Classification& Regions;
+  const std::vector<char>& Thick;
   DisjointSets Sets;
-  std::vector<char> Thick; ///< per region: whether a cell is
-  std::vector<char> Open;  ///< per first region of a set: whether not only the solid touches it
+  std::vector<char> Open; ///< per first region of a set: whether not only the solid touches it
 };
 
 /** Removes the facets from `count` on. */
 void Truncate(std::size_t count, ResolvedMesh& surface)
 {
   const auto resize = [count](auto&... arrays) { (arrays.resize(count), ...); };
-  resize(surface.Facets, surface.FacetSources, surface.SignedMultiplicities, surface.Multiplicities);
+  resize(
+    surface.Facets, surface.FacetSources, surface.SignedMultiplicities, surface.Multiplicities);
 }
 
 /** Gives the facets from `first` on the sources of facets that they touch. */
@@ -214,8 +258,9 @@ int SealCracks(Tetrahedralization& mesh, SolidRule rule, int threads)
   {
     return 0;
   }
+  const Classification undivided = FindRegions(mesh);
   const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
-  const std::vector<CellFace> thin = FindThinFaces(mesh, width);
+  const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
   if (thin.empty())
   {
     return 0;
@@ -223,10 +268,15 @@ int SealCracks(Tetrahedralization& mesh, SolidRule rule, int threads)
   const std::size_t own = mesh.Surface.Facets.size();
   FaceConstraints<3> constraints = mesh.Constraints;
   AddFacets(mesh, thin);
-  const Classification regions = Classify(mesh, rule, threads);
+  Classification regions = FindRegions(mesh);
+  const std::vector<char> thick = FindThickRegions(mesh, regions, width);
+  if (MarkAsked(undivided, thick, regions))
+  {
+    ClassifyRegions(mesh, rule, threads, regions);
+  }
   mesh.Constraints = std::move(constraints);
   Truncate(own, mesh.Surface);
-  DividedRegions divided(mesh, regions, width);
+  DividedRegions divided(mesh, regions, thick);
   divided.Unite(thin);
   std::vector<CellFace> seals; // with the solid behind them
   for (const CellFace& face : thin)

@@ -54,8 +54,7 @@ public:
     bool left = false, right = false, meets = false;
     for (int k = 0; k < 3; ++k)
     {
-      const auto side =
-        CGAL::orientation(this->From, this->To, corners[k], corners[(k + 1) % 3]);
+      const auto side = CGAL::orientation(this->From, this->To, corners[k], corners[(k + 1) % 3]);
       left = left || side == CGAL::POSITIVE;
       right = right || side == CGAL::NEGATIVE;
       meets = meets || side == CGAL::COPLANAR;
@@ -112,8 +111,7 @@ std::optional<int> ExactWinding::InFrontOf(int facet) const
 }
 
 /** None if the line does not cross the facet from its front, or meets the edge of another one. */
-std::optional<int> ExactWinding::CountAlongLine(
-  int facet, const Point& from, const Point& to) const
+std::optional<int> ExactWinding::CountAlongLine(int facet, const Point& from, const Point& to) const
 {
   const DirectedLine line(from, to);
   const auto& items = this->Tree.GetItems();

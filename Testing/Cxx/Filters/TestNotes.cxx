@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/Vector.h"
 #include "FilterTesting.h"
+#include "RandomModels.h"
 #include "Session/CarverNotes.h"
+
+#include <vtkMassProperties.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <random>
 
 namespace
 {
@@ -81,6 +85,24 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   // One turned triangle of eighty changes the winding number by 1/40: too little for a guess.
   EXPECT_FALSE(Has(GetNotes(Carve(ToPolyData(WithTurned(models::Sphere(1), 1)))), "guess"));
   EXPECT_TRUE(Has(GetNotes(Carve(ToPolyData(WithTurned(models::Sphere(1), 12)))), "guess"));
+}
+
+// Cracks where vertices lie on edges of other triangles do not hollow out a box in single precision;
+// a note says how many triangles close them.
+TEST(CarverNotes, SaysThatCracksWereSealed)
+{
+  std::mt19937_64 random(2);
+  carving::TriangleMesh box =
+    models::Rotated(models::PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random);
+  for (carving::Point& p : box.Points)
+  {
+    std::transform(p.begin(), p.end(), p.begin(), [](double x) { return static_cast<float>(x); });
+  }
+  const auto carver = Carve(ToPolyData(box));
+  EXPECT_TRUE(Has(GetNotes(carver), "triangles were added to close its solid")) << GetNotes(carver);
+  vtkNew<vtkMassProperties> mass;
+  mass->SetInputData(GetLevel(carver, CountLevels(carver) - 1));
+  EXPECT_NEAR(mass->GetVolume(), 6.0, 1e-5);
 }
 
 // If a limit ended an attempt, a note names the limit.

@@ -18,39 +18,6 @@ using namespace carving;
 namespace
 {
 
-/**
- * The surface of the box from 0 to `size`. Side i is a grid of n[i] by n[i] squares with points of
- * its own, so that most vertices of fine sides lie on edges of coarse ones.
- */
-TriangleMesh PatchedBox(const Point& size, const std::array<int, 6>& n)
-{
-  TriangleMesh mesh;
-  for (int side = 0; side < 6; ++side)
-  {
-    const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const int first = static_cast<int>(mesh.Points.size()), row = n[side] + 1;
-    for (int i = 0; i < row * row; ++i)
-    {
-      Point& p = mesh.Points.emplace_back();
-      p[axis] = side % 2 == 0 ? 0.0 : size[axis];
-      p[u] = size[u] * (i % row) / n[side];
-      p[v] = size[v] * (i / row) / n[side];
-    }
-    for (int i = 0; i < n[side]; ++i)
-    {
-      for (int j = 0; j < n[side]; ++j)
-      {
-        const int a = first + i * row + j, b = a + 1, c = a + row, d = c + 1;
-        for (Triangle t : { Triangle{ a, b, d }, Triangle{ a, d, c } })
-        {
-          mesh.Triangles.push_back(side % 2 == 0 ? Flipped<3>(t) : t);
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
 TriangleMesh InSinglePrecision(TriangleMesh mesh)
 {
   for (Point& p : mesh.Points)
@@ -87,7 +54,7 @@ TEST(Cracks, LeaveTheSolidClosed)
   int sealed = 0;
   for (int i = 0; i < 12; ++i)
   {
-    TriangleMesh box = models::Rotated(PatchedBox({ 3, 2, 1 }, counts[i % 3]), random);
+    TriangleMesh box = models::Rotated(models::PatchedBox({ 3, 2, 1 }, counts[i % 3]), random);
     box = i % 2 == 0 ? box : InSinglePrecision(box);
     Job job;
     job.Mesh = i % 4 < 2 ? box : models::Flipped(box);
@@ -112,7 +79,7 @@ TEST(Cracks, AreClosedByThinFacets)
 {
   std::mt19937_64 random(2);
   Job job;
-  job.Mesh = models::Rotated(PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random);
+  job.Mesh = models::Rotated(models::PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random);
   job.Conformity = Conformity::Auto;
   Tetrahedralization mesh = GetReply(job).Result;
   const std::size_t own = mesh.Surface.Facets.size();
@@ -130,7 +97,8 @@ TEST(Cracks, AreClosedByThinFacets)
     for (std::size_t other = 0; other < own; ++other)
     {
       const Triangle& t = mesh.Surface.Facets[other];
-      touches = touches || (sources[other] == sources[f] &&
+      touches = touches ||
+        (sources[other] == sources[f] &&
           std::any_of(t.begin(), t.end(), [=](int p) { return p == a || p == b || p == c; }));
     }
     EXPECT_TRUE(touches) << f;
@@ -141,7 +109,7 @@ TEST(Cracks, AreClosedByThinFacets)
 // A slit that is wider than a crack lets the outside in.
 TEST(Cracks, AreNoWideSlits)
 {
-  TriangleMesh box = PatchedBox({ 3, 2, 1 }, { 1, 1, 1, 1, 1, 1 });
+  TriangleMesh box = models::PatchedBox({ 3, 2, 1 }, { 1, 1, 1, 1, 1, 1 });
   for (std::size_t i = 0; i < 4; ++i)
   {
     box.Points[i][0] -= 1e-3; // the first side

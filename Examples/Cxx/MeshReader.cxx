@@ -5,6 +5,7 @@
 #include "FileName.h"
 #include "ObjFile.h"
 #include "OffReader.h"
+#include "PlyFile.h"
 #include "ReadCarefully.h"
 #include "StlFile.h"
 #include "System/TemporaryFile.h"
@@ -80,6 +81,12 @@ std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mes
   return ReadWith<vtkOBJReader>(copy.GetPath(), log, mesh);
 }
 
+std::string ReadPly(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
+{
+  const std::string mistake = PlyFile::FindMistake(fileName);
+  return mistake.empty() ? ReadCarefullyWith<vtkPLYReader>(fileName, log, mesh) : mistake;
+}
+
 std::string ReadStl(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
 {
   const std::string mistake = StlFile::FindMistake(fileName);
@@ -120,8 +127,8 @@ std::string ReadFormat(
 {
   using Read = std::string (*)(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh);
   const std::map<std::string, Read> formats = { { ".obj", &ReadObj },
-    { ".off", &ReadOffAsPolyData }, { ".ply", &ReadCarefullyWith<vtkPLYReader> },
-    { ".stl", &ReadStl }, { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
+    { ".off", &ReadOffAsPolyData }, { ".ply", &ReadPly }, { ".stl", &ReadStl },
+    { ".vtp", &ReadWith<vtkXMLPolyDataReader> },
     { ".vtk", &ReadCarefullyWith<vtkPolyDataReader> } };
   const auto format = formats.find(extension);
   if (format == formats.end())

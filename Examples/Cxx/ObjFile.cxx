@@ -18,7 +18,10 @@ using Counts = std::array<long, std::size(Kinds)>;
 
 constexpr const char* Blank = " \t\r";
 
-/** Reads a file line by line, without a byte order mark and with continued lines joined. */
+/**
+ * Reads a file line by line, without a byte order mark and comments behind other words, and with
+ * continued lines joined.
+ */
 class LineReader
 {
 public:
@@ -39,9 +42,12 @@ public:
       const bool isMarked = this->Number++ == 0 && part.compare(0, mark.size(), mark) == 0;
       part.erase(0, isMarked ? mark.size() : 0);
       part.erase(part.find_last_not_of('\r') + 1);
+      const std::size_t comment = part.find('#');
+      const bool endsEarly = comment != part.npos && comment > 0;
+      part.erase(endsEarly ? comment : part.size());
       continues = !part.empty() && part.back() == '\\';
       part.erase(part.size() - (continues ? 1 : 0));
-      this->Unusual = this->Unusual || isMarked || continues;
+      this->Unusual = this->Unusual || isMarked || endsEarly || continues;
       line += part;
     }
     return isRead;

@@ -16,13 +16,13 @@ struct Content
    * that the file does not have, or counts them backward. Empty if there is none.
    */
   std::string Mistake;
-  /** Whether the file has a byte order mark, or lines that a backslash continues. */
+  /** Whether the file has a byte order mark, comments behind other words, or continued lines. */
   bool IsUnusual = false;
 };
 
 Content Check(const std::string& fileName);
 
-/** Copies a file without a byte order mark, with continued lines joined. */
+/** Copies a file without a byte order mark and such comments, with continued lines joined. */
 void Copy(const std::string& fileName, std::ostream& out);
 
 /**

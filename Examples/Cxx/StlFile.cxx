@@ -21,7 +21,9 @@ using Head = std::array<unsigned char, BytesOfTitle + BytesOfCount>;
 bool IsText(const Head& head)
 {
   const std::string word = "solid";
-  return std::equal(word.begin(), word.end(), head.begin(),
+  const auto begin = std::find_if(head.begin(), head.end() - static_cast<long>(word.size()),
+    [](unsigned char c) { return std::isspace(c) == 0; });
+  return std::equal(word.begin(), word.end(), begin,
            [](char expected, unsigned char c) { return std::tolower(c) == expected; }) &&
     std::find(head.begin(), head.end(), 0) == head.end();
 }

@@ -145,26 +145,43 @@ class TestCarveReaders(CarveTestCase):
         return begin + "\n".join(lines) + "\n"
 
     def test_reads_unusual_obj(self):
-        """OBJ files may begin with a byte order mark, and a backslash may continue a line."""
+        """OBJ files may begin with a byte order mark, lines end with comments, and a backslash continue them."""
         for text in (self.cube_as_obj(begin="\ufeff"), self.cube_as_obj(break_line="\\\n"),
-                     self.cube_as_obj(begin="\ufeff", break_line="\\\r\n")):
+                     self.cube_as_obj(begin="\ufeff", break_line="\\\r\n"),
+                     "# a cube\n" + self.cube_as_obj().replace("\n", " # a line\n")):
             with open(self.path("cube.obj"), "w", encoding="utf-8", newline="") as file:
                 file.write(text)
             run = self.run_carve("cube.obj")
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(self.table("cube.obj"), [(0, 0, 8, 12, 1, 0, 0)])  # a cube is its own hull
 
-    def test_reads_stl_in_capitals(self):
-        """Text is no binary STL file that ends early, whatever its case is."""
+    def test_reads_unusual_stl(self):
+        """Text is no binary STL file that ends early, whatever its case is, and behind empty lines."""
         name = self.path("cubes.stl")
         self.write_cubes(vtkSTLWriter, "cubes.stl")
         with open(name, encoding="ascii") as file:
             text = file.read()
         self.assertTrue(text.startswith("solid"))
-        with open(name, "w", encoding="ascii") as file:
-            file.write(text.upper())
-        run = self.run_carve("cubes.stl")
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        for unusual in (text.upper(), "\n \n" + text):
+            with open(name, "w", encoding="ascii") as file:
+                file.write(unusual)
+            run = self.run_carve("cubes.stl")
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+
+    def test_refuses_ply_with_elements_before_faces(self):
+        """A PLY file with edges before its faces, which the reader would take for faces, is refused."""
+        corners = "".join("{} {} {}\n".format(*corner) for corner in self.CUBE)
+        faces = "".join("4 {} {} {} {}\n".format(*(i - 1 for i in side)) for side in self.SIDES)
+        head = "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+        face_head = "element face 6\nproperty list uchar int vertex_indices\n"
+        edge_head = "element edge 1\nproperty int vertex1\nproperty int vertex2\n"
+        contents = (head + face_head + edge_head + "end_header\n" + corners + faces + "0 1\n",
+                    head + edge_head + face_head + "end_header\n" + corners + "0 1\n" + faces)
+        for i, content in enumerate(contents):
+            with open(self.path("edges{}.ply".format(i)), "w", encoding="ascii") as file:
+                file.write(content)
+        self.assertEqual(self.table("edges0.ply"), [(0, 0, 8, 12, 1, 0, 0)])
+        self.expect_failure(self.run_carve("edges1.ply"), 1, "edges1.ply", '1 elements "edge"')
 
     def test_refuses_off_that_is_not_plain(self):
         """Binary OFF files, and those with four coordinates, are refused instead of misread."""

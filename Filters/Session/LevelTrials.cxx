@@ -5,6 +5,8 @@
 #include <cfloat>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <map>
 
 namespace
 {
@@ -193,41 +195,51 @@ BestTrial FindBestTrial(const std::vector<LevelTrial>& trials, const SimplifiedT
 std::vector<BestTrial> ChooseTrials(
   const std::vector<LevelTrial>& trials, const std::vector<SimplifiedTarget>& targets)
 {
-  constexpr double noLevel = 1e6;
   struct Choice
   {
     BestTrial Best;
-    double Cost;           ///< of the best choices up to this one
-    const Choice* Coarser; ///< the one before; null if this is the first
     std::size_t Target;
+    const Choice* Coarser; ///< the one before; null if this is the first
+    int Levels;            ///< up to this one
+    double Cost;           ///< of all these
   };
-  std::deque<Choice> choices; // from coarse to fine
+  const auto isBetter = [](const Choice& a, const Choice& b)
+  { return a.Levels != b.Levels ? a.Levels > b.Levels : a.Cost < b.Cost; };
+  std::deque<Choice> choices;            // from coarse to fine
+  std::map<int, const Choice*> bestUpTo; // by step, each better than those of smaller steps
+  const auto findBestUpTo = [&](int step)
+  {
+    const auto next = bestUpTo.upper_bound(step);
+    return next == bestUpTo.begin() ? nullptr : std::prev(next)->second;
+  };
   for (std::size_t i = 0; i < targets.size(); ++i)
   {
     const std::size_t before = choices.size();
     for (const BestTrial& next : RankTrials(trials, targets[i]))
     {
-      Choice choice = { next, noLevel * i, nullptr, i };
-      for (std::size_t k = 0; k < before; ++k)
+      const Choice* coarser = findBestUpTo(next.Trial->Step);
+      const double cost = CostOf(targets[i], next);
+      choices.push_back(coarser
+          ? Choice{ next, i, coarser, coarser->Levels + 1, coarser->Cost + cost }
+          : Choice{ next, i, nullptr, 1, cost });
+    }
+    for (std::size_t k = before; k < choices.size(); ++k)
+    {
+      const int step = choices[k].Best.Trial->Step;
+      const Choice* known = findBestUpTo(step);
+      if (!known || isBetter(choices[k], *known))
       {
-        const Choice& coarser = choices[k];
-        const double cost = coarser.Cost + noLevel * (i - coarser.Target - 1);
-        if (coarser.Best.Trial->Step <= next.Trial->Step && cost < choice.Cost)
+        bestUpTo[step] = &choices[k];
+        auto next = bestUpTo.upper_bound(step);
+        while (next != bestUpTo.end() && !isBetter(*next->second, choices[k]))
         {
-          choice.Cost = cost;
-          choice.Coarser = &coarser;
+          next = bestUpTo.erase(next);
         }
       }
-      choice.Cost += CostOf(targets[i], next);
-      choices.push_back(choice);
     }
   }
-  const auto total = [&](const Choice& last)
-  { return last.Cost + noLevel * (targets.size() - 1 - last.Target); };
-  const auto best = std::min_element(choices.begin(), choices.end(),
-    [&](const Choice& a, const Choice& b) { return total(a) < total(b); });
   std::vector<BestTrial> chosen(targets.size());
-  for (const Choice* choice = best != choices.end() ? &*best : nullptr; choice;
+  for (const Choice* choice = bestUpTo.empty() ? nullptr : bestUpTo.rbegin()->second; choice;
        choice = choice->Coarser)
   {
     chosen[choice->Target] = choice->Best;

@@ -43,6 +43,7 @@ void CarverStages::Start(int numberOfLeaves, bool simplifies)
   this->Seconds.fill(0.0);
   this->NumberOfLeaves = std::max(1, numberOfLeaves);
   this->LeavesDone = 0;
+  this->Greatest = 0.0;
   this->Simplifies = simplifies;
 }
 
@@ -54,7 +55,8 @@ bool CarverStages::Report(int stage, double fraction, const std::string& attempt
   const std::string name = GetCarverStageName(stage);
   this->Filter->SetProgressText((attempt.empty() ? name : name + ": " + attempt).c_str());
   // Each round of resolving starts at 0 again, but progress never falls.
-  this->Filter->UpdateProgress(std::max(ofAll, this->Filter->GetProgress()));
+  this->Greatest = std::max(ofAll, this->Greatest);
+  this->Filter->UpdateProgress(this->Greatest);
   return !IsAborted(this->Filter);
 }
 

@@ -93,6 +93,7 @@ private:
   std::array<double, NumberOfCarverStages> Seconds = {};
   int NumberOfLeaves = 1;
   int LeavesDone = 0;
+  double Greatest = 0.0; ///< fraction that has been reported
   bool Simplifies = false;
 };
 

@@ -229,8 +229,7 @@ TEST(TopologyCarver, IsDeterministic)
   }
 }
 
-// So do other numbers of threads. Winding numbers of this mesh, which is open and has no solid, are
-// measured.
+// So do other numbers of threads. Winding numbers of this mesh, which is open, are measured.
 TEST(TopologyCarver, GivesTheSameForAnyNumberOfThreads)
 {
   std::mt19937_64 random(7);
@@ -294,6 +293,23 @@ TEST(TopologyCarver, ReportsProgressThroughAllStages)
     { "clean", "resolve", "tetrahedralize: TetGen -pcY", "classify", "carve", "output" })
   {
     EXPECT_TRUE(recorder.OfStages.count(stage)) << stage;
+  }
+}
+
+// Within a share of the progress of another filter, progress keeps to that share.
+TEST(TopologyCarver, KeepsToItsShareOfTheProgress)
+{
+  ProgressRecorder whole, half;
+  half.Carver->SetProgressShiftScale(0.5, 0.5);
+  for (ProgressRecorder* recorder : { &whole, &half })
+  {
+    recorder->Carver->SetInputData(TwoBoxes());
+    recorder->Carver->Update();
+  }
+  for (const char* stage : { "classify", "carve" })
+  {
+    EXPECT_DOUBLE_EQ(half.OfStages[stage].back(), 0.5 + 0.5 * whole.OfStages[stage].back())
+      << stage;
   }
 }
 

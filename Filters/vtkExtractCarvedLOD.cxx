@@ -196,7 +196,7 @@ int vtkExtractCarvedLOD::RequestData(
   }
   auto* levels = vtkMultiBlockDataSet::SafeDownCast(output);
   const bool good = levels
-    ? this->ExtractTree(vtkDataObject::GetData(in[0]), byTime ? &time : nullptr, levels)
+    ? this->ExtractTree(vtkDataObject::GetData(in[0]), "", byTime ? &time : nullptr, levels)
     : this->ExtractLeaf(vtkUnstructuredGrid::GetData(in[0]), "", byTime ? &time : nullptr,
         vtkPolyData::SafeDownCast(output));
   return good ? 1 : 0;
@@ -204,35 +204,36 @@ int vtkExtractCarvedLOD::RequestData(
 
 //------------------------------------------------------------------------------
 bool vtkExtractCarvedLOD::ExtractTree(
-  vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels)
+  vtkDataObject* tree, const std::string& where, const double* time, vtkMultiBlockDataSet* levels)
 {
   std::vector<CompositeChild> children;
   if (!GetChildren(tree, children))
   {
-    vtkErrorMacro(<< "A " << tree->GetClassName() << " is not the stream of a carver.");
+    vtkErrorMacro(<< where << "A " << tree->GetClassName() << " is not the stream of a carver.");
     return false;
   }
   levels->SetNumberOfBlocks(static_cast<unsigned int>(children.size()));
   for (unsigned int i = 0; i < children.size(); ++i)
   {
     vtkDataObject* child = children[i].Data;
+    const std::string whereChild = children[i].Where(where, i);
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(child))
     {
       vtkNew<vtkPolyData> level;
       // Reports an error; the other leaves go on.
-      this->ExtractLeaf(grid, children[i].Where(), time, level);
+      this->ExtractLeaf(grid, whereChild, time, level);
       levels->SetBlock(i, level);
     }
     else if (child && child->IsA("vtkCompositeDataSet"))
     {
       vtkNew<vtkMultiBlockDataSet> subtree;
-      this->ExtractTree(child, time, subtree);
+      this->ExtractTree(child, whereChild, time, subtree);
       levels->SetBlock(i, subtree);
     }
     else if (child)
     {
-      vtkErrorMacro(<< "Block " << i << " \"" << children[i].Name << "\" is a "
-                    << child->GetClassName() << ", not the stream of a carver.");
+      vtkErrorMacro(<< whereChild << "A " << child->GetClassName()
+                    << " is not the stream of a carver.");
     }
     SetBlockName(levels, i, children[i].Name);
   }
@@ -243,8 +244,13 @@ bool vtkExtractCarvedLOD::ExtractTree(
 bool vtkExtractCarvedLOD::ExtractLeaf(
   vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level)
 {
-  return WithinMemory(
-    this, where, [&] { return this->ExtractLeafUnguarded(grid, where, time, level); });
+  const bool good =
+    WithinMemory(this, where, [&] { return this->ExtractLeafUnguarded(grid, where, time, level); });
+  if (!good)
+  {
+    level->Initialize();
+  }
+  return good;
 }
 
 //------------------------------------------------------------------------------

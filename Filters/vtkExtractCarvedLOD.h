@@ -189,7 +189,8 @@ private:
    */
   bool ExtractLeaf(
     vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level);
-  bool ExtractTree(vtkDataObject* tree, const double* time, vtkMultiBlockDataSet* levels);
+  bool ExtractTree(vtkDataObject* tree, const std::string& where, const double* time,
+    vtkMultiBlockDataSet* levels);
   /** As ExtractLeaf, but may throw std::bad_alloc. */
   bool ExtractLeafUnguarded(
     vtkUnstructuredGrid* grid, const std::string& where, const double* time, vtkPolyData* level);

@@ -17,10 +17,13 @@ struct CompositeChild
   vtkDataObject* Data; ///< null for a null child
   std::string Name;    ///< empty if the child has no name
 
-  /** The words with which messages about the child begin. */
-  std::string Where() const
+  /**
+   * The words with which messages about the child begin, after those about its parent: the name, or
+   * the index if there is none.
+   */
+  std::string Where(const std::string& ofParent, std::size_t index) const
   {
-    return this->Name.empty() ? "" : "Block " + this->Name + ": ";
+    return ofParent + "Block " + (this->Name.empty() ? std::to_string(index) : this->Name) + ": ";
   }
 };
 

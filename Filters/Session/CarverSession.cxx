@@ -44,7 +44,7 @@ bool CarverSession<D>::Update(vtkDataObject* input, vtkPolyData* initial,
     {
       RemoveOwnFieldData(output->GetFieldData(), settings.Stored);
     }
-    good = this->UpdateTree(input, ports);
+    good = this->UpdateTree(input, "", ports);
   }
   this->Leaves.FinishUpdate(IsAborted(this->Filter));
   return good;
@@ -114,13 +114,14 @@ bool CarverSession<D>::Simplify(
 }
 
 template <int D>
-bool CarverSession<D>::UpdateTree(vtkDataObject* input, const CarverPorts& ports)
+bool CarverSession<D>::UpdateTree(
+  vtkDataObject* input, const std::string& where, const CarverPorts& ports)
 {
   std::vector<CompositeChild> children;
   if (!GetChildren(input, children))
   {
     vtkErrorWithObjectMacro(this->Filter,
-      << "A " << input->GetClassName()
+      << where << "A " << input->GetClassName()
       << " cannot be carved. Apply Extract Surface, or merge it into polygonal data first.");
     return false;
   }
@@ -133,7 +134,7 @@ bool CarverSession<D>::UpdateTree(vtkDataObject* input, const CarverPorts& ports
   }
   for (unsigned int i = 0; i < children.size(); ++i)
   {
-    this->UpdateChild(children[i], i, parents);
+    this->UpdateChild(children[i], children[i].Where(where, i), i, parents);
     if (IsAborted(this->Filter))
     {
       return false;
@@ -143,8 +144,8 @@ bool CarverSession<D>::UpdateTree(vtkDataObject* input, const CarverPorts& ports
 }
 
 template <int D>
-void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int index,
-  const std::array<vtkMultiBlockDataSet*, 3>& parents)
+void CarverSession<D>::UpdateChild(const CompositeChild& child, const std::string& where,
+  unsigned int index, const std::array<vtkMultiBlockDataSet*, 3>& parents)
 {
   vtkNew<vtkMultiBlockDataSet> levels;
   vtkSmartPointer<vtkDataObject> stream, profile;
@@ -154,19 +155,19 @@ void CarverSession<D>::UpdateChild(const CompositeChild& child, unsigned int ind
   {
     stream = vtkSmartPointer<vtkUnstructuredGrid>::New();
     profile = vtkSmartPointer<vtkTable>::New();
-    this->UpdateLeaf(leaf, child.Where(), { levels, stream, profile });
+    this->UpdateLeaf(leaf, where, { levels, stream, profile });
   }
   else if (child.Data && child.Data->IsA("vtkCompositeDataSet"))
   {
     stream = vtkSmartPointer<vtkMultiBlockDataSet>::New();
     profile = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-    this->UpdateTree(child.Data, { levels, stream, profile });
+    this->UpdateTree(child.Data, where, { levels, stream, profile });
   }
   else if (child.Data)
   {
     vtkErrorWithObjectMacro(this->Filter,
-      << "Block " << index << " \"" << child.Name << "\" is a " << child.Data->GetClassName()
-      << ": only polygonal data can be carved. Apply Extract Surface first.");
+      << where << "A " << child.Data->GetClassName()
+      << " is given: only polygonal data can be carved. Apply Extract Surface first.");
   }
   vtkDataObject* const results[] = { stream ? levels.Get() : nullptr, stream, profile };
   for (int port = 0; port < 3; ++port)

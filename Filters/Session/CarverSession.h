@@ -71,9 +71,9 @@ private:
   bool UpdateLeafUnguarded(vtkPolyData* input, const std::string& where, const CarverPorts& ports);
   /** Makes simplified levels if the settings say so. Returns false if the filter is to stop. */
   bool Simplify(const DecomposedLeaf<D>& leaf, const std::string& where, CarvedLeaf<D>& carved);
-  bool UpdateTree(vtkDataObject* input, const CarverPorts& ports);
+  bool UpdateTree(vtkDataObject* input, const std::string& where, const CarverPorts& ports);
   /** Fills the block of a child in the outputs of its parent. */
-  void UpdateChild(const CompositeChild& child, unsigned int index,
+  void UpdateChild(const CompositeChild& child, const std::string& where, unsigned int index,
     const std::array<vtkMultiBlockDataSet*, 3>& parents);
 
   CarverSettings Settings;

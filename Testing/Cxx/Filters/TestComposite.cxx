@@ -104,9 +104,24 @@ TEST(Composite, GoesOnAfterABadLeaf)
   Carve(carver, scene);
   ASSERT_EQ(messages.Errors.size(), 2u);
   EXPECT_TRUE(Has(messages.Errors[0], "Block sheet: All points lie in one plane"));
-  EXPECT_TRUE(Has(messages.Errors[1], "Extract Surface"));
+  EXPECT_TRUE(Has(messages.Errors[1], "Block 1: A vtkUnstructuredGrid is given"));
   EXPECT_GT(
     vtkMultiBlockDataSet::SafeDownCast(GetTree(carver, 0)->GetBlock(2))->GetNumberOfBlocks(), 1u);
+}
+
+// An error in a nested scene names the way to the block, by names where blocks have them.
+TEST(Composite, NamesTheWayToABadLeaf)
+{
+  vtkNew<vtkMultiBlockDataSet> inner, scene;
+  inner->SetBlock(0, TwoBoxes());
+  inner->SetBlock(1, ToPolyData(models::Sheet(2)));
+  scene->SetBlock(0, inner);
+  scene->GetMetaData(0u)->Set(vtkCompositeDataSet::NAME(), "room");
+  vtkNew<vtkTopologyCarver> carver;
+  Messages messages(carver);
+  Carve(carver, scene);
+  ASSERT_EQ(messages.Errors.size(), 1u);
+  EXPECT_TRUE(Has(messages.Errors[0], "Block room: Block 1: All points lie")) << messages.Errors[0];
 }
 
 // A change of a level property runs the helper program for no leaf.
@@ -225,7 +240,7 @@ TEST(Composite, GivesTheLevelsOfStreamsAlone)
   extract->SetInputDataObject(0, scene);
   extract->SetLevelTarget(1e9);
   extract->Update();
-  EXPECT_TRUE(Has(messages.TakeError(), "Block 0 \"\" is a vtkPolyData"));
+  EXPECT_TRUE(Has(messages.TakeError(), "Block 0: A vtkPolyData is not the stream"));
   auto* levels = vtkMultiBlockDataSet::SafeDownCast(extract->GetOutputDataObject(0));
   ASSERT_EQ(levels->GetNumberOfBlocks(), 2u);
   EXPECT_EQ(levels->GetBlock(0), nullptr);

@@ -9,6 +9,7 @@
 #include "Objects/SetNumber.h"
 #include "Objects/TypedOutput.h"
 #include "Session/CarverSession.h"
+#include "Session/WithinMemory.h"
 #include "vtkCarverProperty.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
@@ -271,8 +272,16 @@ int vtkCarverAlgorithm::RequestData(
   if (parallel)
   {
     int numberOfMerged = 0;
-    input = this->Exchange->Gather(input, numberOfMerged);
-    initial = this->Exchange->GatherOnAll(initial);
+    const auto gather = [&]
+    {
+      input = this->Exchange->Gather(input, numberOfMerged);
+      initial = this->Exchange->GatherOnAll(initial);
+      return true;
+    };
+    if (!WithinMemory(this, "", gather))
+    {
+      return 0;
+    }
     if (numberOfMerged > 0)
     {
       vtkWarningMacro(<< numberOfMerged

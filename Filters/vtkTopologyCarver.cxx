@@ -3,6 +3,7 @@
 
 #include "Convert/CarverInput.h"
 #include "Process/HelperProcess.h"
+#include "Session/WithinMemory.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -22,20 +23,23 @@ vtkTopologyCarver::~vtkTopologyCarver() = default;
 //------------------------------------------------------------------------------
 int vtkTopologyCarver::CountIntersectingPairs(vtkPolyData* mesh)
 {
-  CarverInput input;
-  std::string error = mesh ? input.Gather(mesh) : "There is no mesh to count in.";
   carving::Reply reply;
-  if (error.empty() && !input.IsEmpty())
+  const auto count = [&]
   {
-    carving::Job job;
-    job.Kind = carving::JobKind::CountIntersections;
-    job.Mesh = std::move(input.Mesh);
-    HelperProcess::Run(job, reply, nullptr, error);
-  }
-  if (!error.empty())
-  {
-    vtkErrorMacro(<< error);
-    return -1;
-  }
-  return reply.IntersectingPairs;
+    CarverInput input;
+    std::string error = mesh ? input.Gather(mesh) : "There is no mesh to count in.";
+    if (error.empty() && !input.IsEmpty())
+    {
+      carving::Job job;
+      job.Kind = carving::JobKind::CountIntersections;
+      job.Mesh = std::move(input.Mesh);
+      HelperProcess::Run(job, reply, nullptr, error);
+    }
+    if (!error.empty())
+    {
+      vtkErrorMacro(<< error);
+    }
+    return error.empty();
+  };
+  return WithinMemory(this, "", count) ? reply.IntersectingPairs : -1;
 }

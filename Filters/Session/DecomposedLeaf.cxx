@@ -2,11 +2,13 @@
 #include "Session/DecomposedLeaf.h"
 
 #include "Session/MemoryNeed.h"
+#include "Session/WithinMemory.h"
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
+#include <new>
 
 using carving::SecondsSince;
 
@@ -118,6 +120,20 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
   Run run;
   run.NumberOfPoints = input->GetNumberOfPoints();
   run.NumberOfCells = input->GetNumberOfCells();
+  try
+  {
+    this->Start(input, run);
+  }
+  catch (const std::bad_alloc&)
+  {
+    run.Error = OutOfMemory; // of this leaf, also while another one is waited for
+  }
+  this->Runs.push_back(std::move(run));
+}
+
+template <int D>
+void DecomposedLeaves<D>::Start(vtkPolyData* input, Run& run)
+{
   run.Leaf = std::make_shared<DecomposedLeaf<D>>();
   DecomposedLeaf<D>& leaf = *run.Leaf;
   leaf.Given = DataVersion(input);
@@ -152,7 +168,6 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
     run.IsStarted = run.Error.empty();
     run.Seconds = SecondsSince(run.Begin);
   }
-  this->Runs.push_back(std::move(run));
 }
 
 template <int D>

@@ -91,6 +91,7 @@ private:
   LeafPointer FindKept(vtkPolyData* input) const;
   typename std::deque<Run>::iterator FindRun(vtkPolyData* input);
   void StartRun(vtkPolyData* input);
+  void Start(vtkPolyData* input, Run& run);
   void StartNext();
   std::size_t CountRunning();
   bool HasMemoryFor(vtkPolyData* input) const;

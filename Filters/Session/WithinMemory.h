@@ -11,6 +11,10 @@
 #include <new>
 #include <string>
 
+constexpr const char* OutOfMemory =
+  "There is not enough memory for the result. Use a smaller mesh, "
+  "or a machine with more memory.";
+
 /**
  * Whether `work` succeeds. If memory runs out, that is an error of the filter, whose message `where`
  * begins, and not a success.
@@ -24,8 +28,7 @@ bool WithinMemory(vtkAlgorithm* filter, const std::string& where, Work&& work)
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorWithObjectMacro(filter, << where << "There is not enough memory for the result. Use a "
-                                    << "smaller mesh, or a machine with more memory.");
+    vtkErrorWithObjectMacro(filter, << where << OutOfMemory);
     return false;
   }
 }

@@ -104,12 +104,19 @@ public:
     return !observer || observer(this->Progress);
   }
 
+  /** Decimations have no stages. */
+  void LeaveOutStages()
+  {
+    this->HasStages = false;
+  }
+
   /** The end of an error message: the stage of the work, and the last words of the program. */
   std::string LastWords()
   {
     this->Keep();
-    std::string words =
-      std::string(" in the stage: ") + carving::StageName(this->Progress.Stage) + ".";
+    std::string words = this->HasStages
+      ? std::string(" in the stage: ") + carving::StageName(this->Progress.Stage) + "."
+      : ".";
     if (!this->Words.empty())
     {
       words += " Its last output: " + this->Words;
@@ -133,6 +140,7 @@ private:
   }
 
   carving::WorkProgress Progress;
+  bool HasStages = true;
   std::string Line;
   std::string Words;
 };
@@ -234,6 +242,10 @@ public:
   std::string Start(const carving::Job& job)
   {
     this->Threads = job.Processes;
+    if (job.Kind == carving::JobKind::Decimate)
+    {
+      this->Words.LeaveOutStages();
+    }
     this->Sources = carving::CountSources(job);
     const std::string error = this->Job.IsOpen() && this->Reply.IsOpen()
       ? WriteJob(job, this->Job)

@@ -89,7 +89,7 @@ public:
     if (isAlive)
     {
       // The number of queries grows, so that faces which are not the farthest take few.
-      const int queries = top.Queries == 0 ? 1 : 4 * top.Queries;
+      const int queries = top.Queries == 0 ? 1 : std::min(4 * top.Queries, MostDistanceQueries);
       const bool isLast = queries >= MostDistanceQueries;
       work += queries;
       const auto bound = this->Distance.Compute(CornersOf<D>(this->Points, face.Corners), queries);

@@ -35,11 +35,12 @@ struct CutLimits
  * pierce tetrahedra, or lie on faces that extend beyond them. What is within `tolerance`, a length,
  * of a part counts as being on it. The result does not depend on `threads`.
  *
- * Returns the needles among them instead. Vertices along a needle would divide it into pieces that
- * are as long as itself, and each of them would meet as many tetrahedra. The mesh has only the gaps
- * between the needle's edges and these vertices, which are off the edges by a rounding: a closed
- * part of M would have cracks otherwise. The caller gives needles back, after vertices have been
- * detached if they will be: a needle in the mesh keeps the vertices around it from being detached.
+ * Needles among the parts that would be divided are returned, not given back to the mesh: parts
+ * whose pieces would together be more than twenty times as long as themselves, since each piece
+ * would meet as many tetrahedra. The mesh has only the gaps between the needle's edges and the
+ * vertices along them, which are off the edges by a rounding: a closed part of M would have cracks
+ * otherwise. The caller gives needles back, after vertices have been detached if they will be: a
+ * needle in the mesh keeps the vertices around it from being detached.
  */
 [[nodiscard]] std::vector<Subdivision::Part> Cut(PiercedMesh& mesh, double tolerance,
   const CutLimits& limits, int threads, const std::function<bool(double)>& progress);

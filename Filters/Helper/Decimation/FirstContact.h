@@ -6,8 +6,8 @@
 #ifndef carving_FirstContact_h
 #define carving_FirstContact_h
 
-#include "Helper/Decimation/HalfSpaces.h"
 #include "Helper/Base/Slab.h"
+#include "Helper/Decimation/HalfSpaces.h"
 
 #include <optional>
 #include <vector>

@@ -100,7 +100,8 @@ private:
   {
     const double left =
       std::log(static_cast<double>(this->TheDecimator.GetSurface().number_of_vertices()));
-    this->Stopped = ++this->Calls % 1024 == 0 && !GoOn(this->Report, 1.0 - left / this->AtStart);
+    this->Stopped = this->Stopped ||
+      (++this->Calls % 1024 == 0 && !GoOn(this->Report, 1.0 - left / this->AtStart));
     return !this->Stopped;
   }
 

@@ -49,12 +49,9 @@ std::vector<Point> Sample(const std::vector<Corners>& faces, double spacing)
         continue;
       }
       passed += Size(piece);
-      if (step > 0.0 && next <= passed)
+      for (; step > 0.0 && next <= passed && samples.size() < count; next += step)
       {
-        for (; next <= passed && samples.size() < count; next += step)
-        {
-          samples.push_back((piece[0] + piece[1] + piece[2]) / 3.0);
-        }
+        samples.push_back((piece[0] + piece[1] + piece[2]) / 3.0);
       }
     }
   }

@@ -66,8 +66,7 @@ public:
   }
   bool Reach(const Vertex& v)
   {
-    return !this->Triangulation.is_infinite(v) &&
-      this->Mark(this->OfVertices, v->info().Index, this->NumberOfWalks);
+    return this->Mark(this->OfVertices, v->info().Index, this->NumberOfWalks);
   }
   void Push(const Cell& cell)
   {

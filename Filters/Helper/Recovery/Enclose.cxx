@@ -182,7 +182,8 @@ std::size_t CountKept(const PiercedMesh& mesh)
     cells.begin(), cells.end(), [](const Cell cell) { return cell->info().IsPierced(); });
 }
 
-/** The share of M's area that is faces. Needles, which have hardly any area, do not count. */
+/** The share of M's area that is faces. Needles, which mostly have hardly any area, do
+ * not count. */
 double MetShareOf(const CutTetrahedra& cells)
 {
   std::vector<double> shares(cells.Input.Facets.size());
@@ -266,7 +267,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   }
   KeepBareVertices(mesh, met);
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length, threads);
-  mesh.PierceBelowNeedles(); // not measured: these tetrahedra are in the solid
+  mesh.PierceBelowNeedles(); // not measured: mostly, these tetrahedra are in the solid
   result = {};
   result.Surface.PointSources = met.PointSources;
   WriteCells(mesh, result);

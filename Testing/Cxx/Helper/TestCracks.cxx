@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Validity.h"
 #include "Core/Mesh/Vector.h"
 #include "Core/Solid/Cracks.h"
@@ -89,17 +90,16 @@ TEST(Cracks, AreClosedByThinFacets)
   double area = 0.0;
   for (std::size_t f = own; f < mesh.Surface.Facets.size(); ++f)
   {
-    const auto& [a, b, c] = mesh.Surface.Facets[f];
-    const std::vector<Point>& points = mesh.Surface.Points;
-    area += Length(Cross(points[b] - points[a], points[c] - points[a])) / 2.0;
-    const auto& sources = mesh.Surface.FacetSources;
+    const Triangle& seal = mesh.Surface.Facets[f];
+    const auto corners = CornersOf<3>(mesh.Surface.Points, seal);
+    area += Length(Cross(corners[1] - corners[0], corners[2] - corners[0])) / 2.0;
     bool touches = false;
     for (std::size_t other = 0; other < own; ++other)
     {
       const Triangle& t = mesh.Surface.Facets[other];
       touches = touches ||
-        (sources[other] == sources[f] &&
-          std::any_of(t.begin(), t.end(), [=](int p) { return p == a || p == b || p == c; }));
+        (mesh.Surface.FacetSources[other] == mesh.Surface.FacetSources[f] &&
+          std::find_first_of(t.begin(), t.end(), seal.begin(), seal.end()) != t.end());
     }
     EXPECT_TRUE(touches) << f;
   }

@@ -25,8 +25,14 @@ carving::Classification Classify(
   const CarverStages::Timer timer(stages, static_cast<int>(carving::Stage::Classify));
   if constexpr (D == 3)
   {
-    leaf.Reply.CracksSealed +=
+    const int sealed =
       carving::SealCracks(leaf.Reply.Result, settings.Solid, settings.ThreadsOfLeaf);
+    if (sealed > 0) // now the result is that of this rule
+    {
+      leaf.Reply.CracksSealed = sealed;
+      leaf.Reply.SolidMatters = 1;
+      leaf.Settings.Solid = settings.Solid;
+    }
   }
   return carving::Classify(Kind<D>::GetResult(leaf.Reply), settings.Solid, settings.ThreadsOfLeaf);
 }

@@ -237,6 +237,18 @@ TriangleMesh Sheared(TriangleMesh mesh)
   return mesh;
 }
 
+TriangleMesh InSinglePrecision(TriangleMesh mesh)
+{
+  for (Point& p : mesh.Points)
+  {
+    for (double& x : p)
+    {
+      x = static_cast<float>(x);
+    }
+  }
+  return mesh;
+}
+
 TriangleMesh Flipped(TriangleMesh mesh)
 {
   for (Triangle& t : mesh.Triangles)

@@ -42,6 +42,8 @@ TriangleMesh Lattice(int n);
 TriangleMesh Moved(TriangleMesh mesh, const carving::Point& translation, double scale = 1.0);
 /** The mesh with each point moved along x by twice its z. */
 TriangleMesh Sheared(TriangleMesh mesh);
+/** The mesh with coordinates rounded to single precision. */
+TriangleMesh InSinglePrecision(TriangleMesh mesh);
 /** The mesh with the opposite orientation. */
 TriangleMesh Flipped(TriangleMesh mesh);
 /** The triangles of both meshes; points are not merged. */

@@ -92,13 +92,8 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
 TEST(CarverNotes, SaysThatCracksWereSealed)
 {
   std::mt19937_64 random(2);
-  carving::TriangleMesh box =
-    models::Rotated(models::PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random);
-  for (carving::Point& p : box.Points)
-  {
-    std::transform(p.begin(), p.end(), p.begin(), [](double x) { return static_cast<float>(x); });
-  }
-  const auto carver = Carve(ToPolyData(box));
+  const auto carver = Carve(ToPolyData(models::InSinglePrecision(
+    models::Rotated(models::PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random))));
   EXPECT_TRUE(Has(GetNotes(carver), "triangles were added to close its solid")) << GetNotes(carver);
   vtkNew<vtkMassProperties> mass;
   mass->SetInputData(GetLevel(carver, CountLevels(carver) - 1));

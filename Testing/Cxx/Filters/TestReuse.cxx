@@ -185,6 +185,32 @@ TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
   EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
 }
 
+// Facets that close the solid across cracks are not left where another rule has no solid.
+TEST(Reuse, DropsSealsWithTheSolid)
+{
+  std::mt19937_64 random(2);
+  const auto box = ToPolyData(models::InSinglePrecision(
+    models::Rotated(models::PatchedBox({ 3, 2, 1 }, { 3, 1, 1, 1, 1, 1 }), random)));
+  const int rules[] = { vtkTopologyCarver::SURFACE_ONLY, vtkTopologyCarver::NONZERO_WINDING,
+    vtkTopologyCarver::SURFACE_ONLY, vtkTopologyCarver::EVEN_ODD };
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetInputData(box);
+  for (const int rule : rules)
+  {
+    vtkNew<vtkTopologyCarver> fresh;
+    fresh->SetInputData(box);
+    for (vtkTopologyCarver* each : { carver.Get(), fresh.Get() })
+    {
+      each->SetSolidRule(rule);
+      each->Update();
+    }
+    for (int port = 0; port < 3; ++port)
+    {
+      ExpectEqualData(fresh->GetOutputDataObject(port), carver->GetOutputDataObject(port));
+    }
+  }
+}
+
 // Without reuse, every update runs the helper program, and the outputs are the same: for a mesh
 // that is met and one that is enclosed, with a budget, and for one that is in a scene twice.
 TEST(Reuse, GivesTheSameWithout)

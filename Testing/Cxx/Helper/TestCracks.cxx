@@ -19,18 +19,6 @@ using namespace carving;
 namespace
 {
 
-TriangleMesh InSinglePrecision(TriangleMesh mesh)
-{
-  for (Point& p : mesh.Points)
-  {
-    for (double& x : p)
-    {
-      x = static_cast<float>(x);
-    }
-  }
-  return mesh;
-}
-
 double VolumeOfSolid(const Tetrahedralization& mesh, const Classification& regions)
 {
   double volume = 0.0;
@@ -56,7 +44,7 @@ TEST(Cracks, LeaveTheSolidClosed)
   for (int i = 0; i < 12; ++i)
   {
     TriangleMesh box = models::Rotated(models::PatchedBox({ 3, 2, 1 }, counts[i % 3]), random);
-    box = i % 2 == 0 ? box : InSinglePrecision(box);
+    box = i % 2 == 0 ? box : models::InSinglePrecision(box);
     Job job;
     job.Mesh = i % 4 < 2 ? box : models::Flipped(box);
     job.Conformity = i % 6 == 5 ? Conformity::Enclosing : Conformity::Auto;

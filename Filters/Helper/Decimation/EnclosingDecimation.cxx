@@ -52,6 +52,22 @@ ResolvedMesh JoinMeshes(const TriangleMesh& mesh, const TriangleMesh& parts)
   return Clean(AsResolved(all));
 }
 
+/**
+ * Lowers the errors of a surface that was M at first to what is known of them. Distances below a
+ * millionth of the diagonal are not measured exactly, but no collapse exceeds an error bound.
+ */
+void LowerErrors(const DecimationOptions& options, std::vector<DecimatedSurface>& results)
+{
+  for (std::size_t i = 0; i < results.size(); ++i)
+  {
+    DecimatedSurface& result = results[i];
+    const bool isBound = options.Type == DecimationTarget::ErrorBound;
+    const double most = result.Collapses == 0 ? 0.0 : isBound ? options.Targets[i] : result.Error;
+    result.Error = std::min(result.Error, most);
+    result.Reached = result.Reached || isBound;
+  }
+}
+
 /** Hands on the history in terms of the given surface. */
 void HandOn(ChainRecorder history, const ResolvedMesh& original, Decimation& result)
 {
@@ -106,6 +122,10 @@ std::string DecimateEnclosing(const TriangleMesh& given, const TriangleMesh& mes
     if (!mistake.empty())
     {
       return mistake;
+    }
+    if (isOfUser)
+    {
+      LowerErrors(options, result.Surfaces);
     }
     history = std::move(decimator).TakeHistory();
   }

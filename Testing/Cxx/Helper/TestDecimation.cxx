@@ -177,6 +177,24 @@ TEST(Decimation, StaysWithinErrorBounds)
   }
 }
 
+// A bound holds, and is said to hold, that is less than distances are accurate to: a torus that is
+// long in one direction and flat in another.
+TEST(Decimation, StaysWithinTinyErrorBounds)
+{
+  TriangleMesh torus = models::Torus(1.0, 0.3, 12, 8);
+  for (Point& p : torus.Points)
+  {
+    p = { 1e6 * p[0], p[1], 1e-6 * p[2] };
+  }
+  for (const double bound : { 1e-9, 0.5 })
+  {
+    const auto results = Decimate(torus, { bound }, false, DecimationTarget::ErrorBound);
+    ASSERT_EQ(results.size(), 1u);
+    EXPECT_TRUE(results[0].Reached);
+    EXPECT_LE(results[0].Error, bound);
+  }
+}
+
 // A sphere within an error bound has not many more vertices than theory asks for. A face touches
 // the sphere in its center at best: an equilateral triangle with a circumradius of r reaches a
 // distance of r^2 / 2 then, and n vertices have 2 n of these faces to cover the sphere.

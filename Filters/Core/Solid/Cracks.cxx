@@ -2,9 +2,8 @@
 #include "Core/Solid/Cracks.h"
 
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
-#include "Core/Mesh/FacetTree.h"
+#include "Core/Solid/ThinFaces.h"
 #include "Core/Solid/Winding.h"
 
 #include <algorithm>
@@ -15,77 +14,12 @@ namespace carving
 namespace
 {
 
-/** Face f of a cell. */
-struct CellFace
+/** A face that closes the solid. */
+struct Seal
 {
-  int Cell, Face;
+  CellFace OfSolid;       ///< of the cell of the solid
+  int SignedMultiplicity; ///< -1 if the solid is inside out there
 };
-
-double AreaOf(const FacetCorners<3>& face)
-{
-  return Length(Cross(face[1] - face[0], face[2] - face[0])) / 2.0;
-}
-
-/** Whether the least height of a face is at most the width of a crack. */
-bool IsThin(const FacetCorners<3>& face, double width)
-{
-  const Point sides[] = { face[1] - face[0], face[2] - face[1], face[0] - face[2] };
-  const Point normal = Cross(sides[0], sides[1]); // twice the area long
-  const double longest =
-    std::max({ Dot(sides[0], sides[0]), Dot(sides[1], sides[1]), Dot(sides[2], sides[2]) });
-  return Dot(normal, normal) <= width * width * longest;
-}
-
-/**
- * The faces that are no wider than a crack and lie on no facet, in regions that are connected to
- * the outside, each once.
- */
-std::vector<CellFace> FindThinFaces(
-  const Tetrahedralization& mesh, const Classification& regions, double width)
-{
-  std::vector<CellFace> faces;
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    for (int f = 0; regions.Kind(cell) == RegionKind::Outside && f < 4; ++f)
-    {
-      const int neighbor = mesh.Neighbors[cell][f];
-      const bool isOfOther = neighbor >= 0 && (neighbor < cell || mesh.IsKept(neighbor));
-      if (isOfOther || mesh.Constraints.Has(cell, f))
-      {
-        continue;
-      }
-      if (IsThin(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f)), width))
-      {
-        faces.push_back({ cell, f });
-      }
-    }
-  }
-  return faces;
-}
-
-/** Whether no height of a cell is less than the width of a crack. */
-bool IsThick(const Tetrahedralization& mesh, int cell, double width)
-{
-  double largest = 0.0;
-  for (int f = 0; f < 4; ++f)
-  {
-    largest =
-      std::max(largest, AreaOf(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
-  }
-  return 3.0 * Size(CornersOfCell(mesh, cell)) > width * largest;
-}
-
-/** The same face, of the cell on the other side; of the exterior if there is none. */
-CellFace OtherSide(const Tetrahedralization& mesh, const CellFace& face)
-{
-  const int other = mesh.Neighbors[face.Cell][face.Face];
-  if (other < 0)
-  {
-    return { other, 0 };
-  }
-  const auto& back = mesh.Neighbors[other];
-  return { other, static_cast<int>(std::find(back.begin(), back.end(), face.Cell) - back.begin()) };
-}
 
 /** A face of a cell, numbered, and the facet on which the face lies. */
 using FaceOnFacet = std::pair<int, int>;
@@ -122,19 +56,6 @@ void AddFacets(Tetrahedralization& mesh, const std::vector<CellFace>& faces)
     constraints.Append(facets);
   }
   mesh.Constraints = std::move(constraints);
-}
-
-/** Per region: whether not all its cells are thinner than a crack. */
-std::vector<char> FindThickRegions(
-  const Tetrahedralization& mesh, const Classification& regions, double width)
-{
-  std::vector<char> thick(regions.Regions.size(), 0);
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    char& isThick = thick[regions.RegionOfCell[cell]];
-    isThick = isThick || IsThick(mesh, cell, width);
-  }
-  return thick;
 }
 
 /**
@@ -231,10 +152,11 @@ void Truncate(std::size_t count, ResolvedMesh& surface)
     surface.Facets, surface.FacetSources, surface.SignedMultiplicities, surface.Multiplicities);
 }
 
-/** Gives the facets from `first` on the sources of facets that they touch. */
-void CopySources(std::size_t first, ResolvedMesh& surface)
+/** Gives the facets from `first` on the sources of facets that they touch, or else another one. */
+void CopySources(std::size_t first, int otherSource, ResolvedMesh& surface)
 {
-  std::vector<int> facetAt(surface.Points.size(), 0);
+  constexpr int none = -1;
+  std::vector<int> facetAt(surface.Points.size(), none);
   for (std::size_t facet = 0; facet < first; ++facet)
   {
     for (const int point : surface.Facets[facet])
@@ -245,9 +167,52 @@ void CopySources(std::size_t first, ResolvedMesh& surface)
   for (std::size_t facet = first; facet < surface.Facets.size(); ++facet)
   {
     const auto& [a, b, c] = surface.Facets[facet];
-    surface.FacetSources[facet] =
-      surface.FacetSources[std::max({ facetAt[a], facetAt[b], facetAt[c] })];
+    const int touched = std::max({ facetAt[a], facetAt[b], facetAt[c] });
+    surface.FacetSources[facet] = touched == none ? otherSource : surface.FacetSources[touched];
   }
+}
+
+/** The faces through which the solid would be connected to the outside, with the solid behind. */
+std::vector<Seal> FindSeals(Tetrahedralization& mesh, SolidRule rule, int threads)
+{
+  const Classification undivided = FindRegions(mesh);
+  const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
+  const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
+  if (thin.empty())
+  {
+    return {};
+  }
+  const std::size_t own = mesh.Surface.Facets.size();
+  FaceConstraints<3> constraints = mesh.Constraints;
+  AddFacets(mesh, thin);
+  Classification regions = FindRegions(mesh);
+  const std::vector<char> thick = FindThickRegions(mesh, regions, width);
+  const bool isAsked = MarkAsked(undivided, thick, regions);
+  if (isAsked)
+  {
+    ClassifyRegions(mesh, rule, threads, regions);
+  }
+  mesh.Constraints = std::move(constraints);
+  Truncate(own, mesh.Surface);
+  if (!isAsked)
+  {
+    return {};
+  }
+  DividedRegions divided(mesh, regions, thick);
+  divided.Unite(thin);
+  std::vector<Seal> seals;
+  for (const CellFace& face : thin)
+  {
+    const CellFace other = OtherSide(mesh, face);
+    const bool isSolid = divided.IsSolid(face.Cell);
+    if (isSolid != divided.IsSolid(other.Cell))
+    {
+      const CellFace& ofSolid = isSolid ? face : other;
+      const double winding = regions.Regions[regions.RegionOfCell[ofSolid.Cell]].Winding;
+      seals.push_back({ ofSolid, winding < 0.0 ? -1 : 1 });
+    }
+  }
+  return seals;
 }
 
 } // namespace
@@ -258,46 +223,24 @@ int SealCracks(Tetrahedralization& mesh, SolidRule rule, int threads)
   {
     return 0;
   }
-  const Classification undivided = FindRegions(mesh);
-  const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
-  const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
-  if (thin.empty())
+  const std::vector<Seal> seals = FindSeals(mesh, rule, threads);
+  if (seals.empty())
   {
     return 0;
   }
   const std::size_t own = mesh.Surface.Facets.size();
-  FaceConstraints<3> constraints = mesh.Constraints;
-  AddFacets(mesh, thin);
-  Classification regions = FindRegions(mesh);
-  const std::vector<char> thick = FindThickRegions(mesh, regions, width);
-  if (MarkAsked(undivided, thick, regions))
+  const int anySource = mesh.GetInput().FacetSources.front();
+  std::vector<CellFace> faces;
+  for (const Seal& seal : seals)
   {
-    ClassifyRegions(mesh, rule, threads, regions);
+    faces.push_back(seal.OfSolid);
   }
-  mesh.Constraints = std::move(constraints);
-  Truncate(own, mesh.Surface);
-  DividedRegions divided(mesh, regions, thick);
-  divided.Unite(thin);
-  std::vector<CellFace> seals; // with the solid behind them
-  for (const CellFace& face : thin)
+  AddFacets(mesh, faces);
+  CopySources(own, anySource, mesh.Surface);
+  for (std::size_t i = 0; i < seals.size(); ++i)
   {
-    const CellFace other = OtherSide(mesh, face);
-    const bool isSolid = divided.IsSolid(face.Cell);
-    if (isSolid != divided.IsSolid(other.Cell))
-    {
-      seals.push_back(isSolid ? face : other);
-    }
-  }
-  if (!seals.empty())
-  {
-    AddFacets(mesh, seals);
-    CopySources(own, mesh.Surface);
-    for (std::size_t i = 0; i < seals.size(); ++i)
-    {
-      const Region& region = regions.Regions[regions.RegionOfCell[seals[i].Cell]];
-      mesh.Surface.Multiplicities[own + i] = 1;
-      mesh.Surface.SignedMultiplicities[own + i] = region.Winding < 0.0 ? -1 : 1; // inside out
-    }
+    mesh.Surface.Multiplicities[own + i] = 1;
+    mesh.Surface.SignedMultiplicities[own + i] = seals[i].SignedMultiplicity;
   }
   return static_cast<int>(seals.size());
 }

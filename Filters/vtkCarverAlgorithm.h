@@ -243,9 +243,8 @@ public:
    * Which of the regions that M encloses are solid. The other enclosed regions are voids. A region
    * that reaches the outside without crossing M is neither. The rules are not in the paper.
    * - NONZERO_WINDING (default): the regions where the winding number of M is at least one half in
-   *   magnitude. Overlapping parts are solid throughout, whatever their orientation. Triangles that
-   *   share an edge which no third triangle has count as oriented alike: those of less area are
-   *   turned.
+   *   magnitude. Overlapping parts are solid throughout, whatever their orientation. The triangles
+   *   of a part count as oriented alike if each of its edges has two: those of less area are turned.
    * - EVEN_ODD: the regions where the path of fewest crossings from the outside crosses an odd
    *   number of triangles. Orientation does not matter. Nested shells are alternately solid and
    *   hollow.

@@ -7,6 +7,7 @@
 #include "Core/Solid/Winding.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace carving
@@ -172,32 +173,60 @@ void CopySources(std::size_t first, int otherSource, ResolvedMesh& surface)
   }
 }
 
-/** The faces through which the solid would be connected to the outside, with the solid behind. */
-std::vector<Seal> FindSeals(Tetrahedralization& mesh, SolidRule rule, int threads)
+/**
+ * Per seal: whether it is a part of a patch that is on average wider than a crack. Across a hole
+ * whose rim has edges shorter than that, all faces can be thin.
+ */
+std::vector<char> FindWideSeals(
+  const Tetrahedralization& mesh, const std::vector<Seal>& seals, double width)
 {
-  const Classification undivided = FindRegions(mesh);
-  const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
-  const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
-  if (thin.empty())
+  std::vector<std::array<int, 3>> edges; // the ends, the seal
+  std::vector<double> areas(seals.size(), 0.0), rims(seals.size(), 0.0);
+  for (int i = 0; i < static_cast<int>(seals.size()); ++i)
   {
-    return {};
+    const auto& [cell, f] = seals[i].OfSolid;
+    const Triangle face = mesh.OutwardFace(cell, f);
+    areas[i] = FaceArea(carving::CornersOf<3>(mesh.Surface.Points, face));
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto [lower, upper] = std::minmax(face[k], face[(k + 1) % 3]);
+      edges.push_back({ lower, upper, i });
+    }
   }
-  const std::size_t own = mesh.Surface.Facets.size();
-  FaceConstraints<3> constraints = mesh.Constraints;
-  AddFacets(mesh, thin);
-  Classification regions = FindRegions(mesh);
-  const std::vector<char> thick = FindThickRegions(mesh, regions, width);
-  const bool isAsked = MarkAsked(undivided, thick, regions);
-  if (isAsked)
+  std::sort(edges.begin(), edges.end());
+  DisjointSets patches(seals.size());
+  for (auto first = edges.begin(), last = first; first != edges.end(); first = last)
   {
-    ClassifyRegions(mesh, rule, threads, regions);
+    const auto [lower, upper, seal] = *first;
+    last = std::find_if(first, edges.end(),
+      [a = lower, b = upper](const std::array<int, 3>& edge)
+      { return edge[0] != a || edge[1] != b; });
+    if (last - first == 1)
+    {
+      rims[seal] += Length(mesh.Surface.Points[upper] - mesh.Surface.Points[lower]);
+    }
+    std::for_each(first, last,
+      [&patches, seal = seal](const std::array<int, 3>& edge) { patches.Unite(seal, edge[2]); });
   }
-  mesh.Constraints = std::move(constraints);
-  Truncate(own, mesh.Surface);
-  if (!isAsked)
+  for (int i = static_cast<int>(seals.size()) - 1; i >= 0; --i) // a patch has its least number
   {
-    return {};
+    const int patch = patches.Find(i);
+    areas[patch] += patch != i ? areas[i] : 0.0;
+    rims[patch] += patch != i ? rims[i] : 0.0;
   }
+  std::vector<char> wide(seals.size());
+  for (int i = 0; i < static_cast<int>(seals.size()); ++i)
+  {
+    const int patch = patches.Find(i);
+    wide[i] = areas[patch] > width * rims[patch] / 2.0;
+  }
+  return wide;
+}
+
+/** The faces that separate the solid from other regions, with the solid behind. */
+std::vector<Seal> CollectSeals(const Tetrahedralization& mesh, const Classification& regions,
+  const std::vector<char>& thick, const std::vector<CellFace>& thin)
+{
   DividedRegions divided(mesh, regions, thick);
   divided.Unite(thin);
   std::vector<Seal> seals;
@@ -213,6 +242,52 @@ std::vector<Seal> FindSeals(Tetrahedralization& mesh, SolidRule rule, int thread
     }
   }
   return seals;
+}
+
+/** The faces through which the solid would be connected to the outside. */
+std::vector<Seal> FindSeals(Tetrahedralization& mesh, SolidRule rule, int threads)
+{
+  const Classification undivided = FindRegions(mesh);
+  const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
+  const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
+  if (thin.empty())
+  {
+    return {};
+  }
+  const std::size_t own = mesh.Surface.Facets.size();
+  FaceConstraints<3> constraints = mesh.Constraints;
+  AddFacets(mesh, thin);
+  Classification regions = FindRegions(mesh);
+  std::vector<char> thick = FindThickRegions(mesh, regions, width);
+  const bool isAsked = MarkAsked(undivided, thick, regions);
+  if (isAsked)
+  {
+    ClassifyRegions(mesh, rule, threads, regions);
+  }
+  mesh.Constraints = std::move(constraints);
+  Truncate(own, mesh.Surface);
+  if (!isAsked)
+  {
+    return {};
+  }
+  for (;;) // fewer regions are solid each time
+  {
+    std::vector<Seal> seals = CollectSeals(mesh, regions, thick, thin);
+    const std::vector<char> wide = FindWideSeals(mesh, seals, width);
+    if (std::find(wide.begin(), wide.end(), 1) == wide.end())
+    {
+      return seals;
+    }
+    for (std::size_t i = 0; i < seals.size(); ++i)
+    {
+      if (wide[i])
+      {
+        const int region = regions.RegionOfCell[seals[i].OfSolid.Cell];
+        regions.Regions[region].Kind = RegionKind::Void;
+        thick[region] = 1; // no pocket of the solid, either
+      }
+    }
+  }
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "Core/Solid/ThinFaces.h"
 
 #include "Core/Mesh/CellGeometry.h"
-#include "Core/Mesh/FacetTree.h"
 
 #include <algorithm>
 
@@ -10,11 +9,6 @@ namespace carving
 {
 namespace
 {
-
-double AreaOf(const FacetCorners<3>& face)
-{
-  return Length(Cross(face[1] - face[0], face[2] - face[0])) / 2.0;
-}
 
 /** Whether the least height of a face is at most the width of a crack. */
 bool IsThin(const FacetCorners<3>& face, double width)
@@ -33,12 +27,17 @@ bool IsThick(const Tetrahedralization& mesh, int cell, double width)
   for (int f = 0; f < 4; ++f)
   {
     largest =
-      std::max(largest, AreaOf(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
+      std::max(largest, FaceArea(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
   }
   return 3.0 * Size(CornersOfCell(mesh, cell)) > width * largest;
 }
 
 } // namespace
+
+double FaceArea(const FacetCorners<3>& face)
+{
+  return Length(Cross(face[1] - face[0], face[2] - face[0])) / 2.0;
+}
 
 CellFace OtherSide(const Tetrahedralization& mesh, const CellFace& face)
 {

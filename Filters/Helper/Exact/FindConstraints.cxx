@@ -65,6 +65,7 @@ std::size_t FindConstraints(Tetrahedralization& result)
     std::sort(facets[point].begin(), facets[point].end());
   }
   std::vector<char> found(triangles.size(), 0);
+  std::size_t twice = 0; // after TetGen has been given points that are very close to each other
   std::vector<std::array<int, 4>> constraints(result.Cells.size(), { -1, -1, -1, -1 });
   for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
   {
@@ -81,6 +82,7 @@ std::size_t FindConstraints(Tetrahedralization& result)
         std::lower_bound(bucket.begin(), bucket.end(), SortedFacet{ face.Others, -1 });
       if (facet != bucket.end() && facet->Others == face.Others)
       {
+        twice += found[facet->Index];
         found[facet->Index] = 1;
         constraints[cell][f] = facet->Index;
         if (neighbor >= 0)
@@ -91,7 +93,7 @@ std::size_t FindConstraints(Tetrahedralization& result)
     }
   }
   result.Constraints = FaceConstraints<3>(constraints);
-  return std::count(found.begin(), found.end(), 0);
+  return std::count(found.begin(), found.end(), 0) + twice;
 }
 
 } // namespace carving::helper

@@ -15,7 +15,7 @@ namespace carving::helper
 
 /**
  * Sets `Constraints` from `Surface` and the cells: the triangle of M that each face is, or -1.
- * Returns the number of triangles that are no face.
+ * Returns the number of triangles that are no face, or two.
  */
 std::size_t FindConstraints(Tetrahedralization& result);
 

@@ -65,16 +65,27 @@ void OrientAlike(ResolvedMesh& mesh)
     sets.Unite(2 * first, 2 * second + (areAlike ? 0 : 1));
     sets.Unite(2 * first + 1, 2 * second + (areAlike ? 1 : 0));
   }
+  std::vector<char> sides(count, 0); // that belong to a pair
+  for (const Pair& pair : pairs)
+  {
+    ++sides[pair.First];
+    ++sides[pair.Second];
+  }
+  std::vector<char> isOpen(2 * count, 0);    // per set
   std::vector<double> areas(2 * count, 0.0); // of the facets as given in each set
   for (std::size_t f = 0; f < count; ++f)
   {
-    areas[sets.Find(static_cast<int>(2 * f))] += AreaOf(mesh, f);
+    const int given = sets.Find(static_cast<int>(2 * f));
+    const int turned = sets.Find(static_cast<int>(2 * f + 1));
+    areas[given] += AreaOf(mesh, f);
+    isOpen[given] = isOpen[given] || sides[f] < 3;
+    isOpen[turned] = isOpen[turned] || sides[f] < 3;
   }
   for (std::size_t f = 0; f < count; ++f)
   {
     const int given = sets.Find(static_cast<int>(2 * f));
     const int turned = sets.Find(static_cast<int>(2 * f + 1)); // the same on a surface of one side
-    if (std::pair(-areas[given], given) > std::pair(-areas[turned], turned))
+    if (!isOpen[given] && std::pair(-areas[given], given) > std::pair(-areas[turned], turned))
     {
       mesh.SignedMultiplicities[f] = -mesh.SignedMultiplicities[f];
     }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Validity.h"
@@ -92,6 +93,19 @@ TEST(Cracks, AreClosedByThinFacets)
     EXPECT_TRUE(touches) << f;
   }
   EXPECT_LT(area, 1e-10);
+}
+
+// A hole stays open whose rim has edges that are shorter than a crack is wide: a box without a side,
+// much smaller than the mesh.
+TEST(Cracks, AreNoHolesWithFineRims)
+{
+  TriangleMesh box = models::PatchedBox({ 1, 1, 1 }, { 40, 40, 40, 40, 40, 40 });
+  box.Triangles.resize(box.Triangles.size() - 2 * 40 * 40); // the last side
+  const TriangleMesh far = { { { 2e4, 0, 0 }, { 0, 3e4, 0 }, { 0, 0, -4e4 } }, { { 0, 1, 2 } } };
+  Tetrahedralization mesh = GetReply(models::Joined(box, far)).Result;
+  ASSERT_LT(1.0 / 40, MostCrackWidth * Diagonal(mesh.Surface.Points));
+  EXPECT_EQ(SealCracks(mesh, SolidRule::NonzeroWinding, 1), 0);
+  EXPECT_EQ(VolumeOfSolid(mesh, Classify(mesh)), 0.0);
 }
 
 // A slit that is wider than a crack lets the outside in.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/Winding.h"
 #include "Helper/Resolve/Clean.h"
+#include "Helper/Resolve/FacetNeighbors.h"
 #include "Helper/Resolve/Orient.h"
 #include "Shapes.h"
 
@@ -73,26 +74,38 @@ TEST(Orient, LeavesConsistentPartsAlone)
   EXPECT_EQ(Oriented(mesh).SignedMultiplicities, Clean(AsResolved(mesh)).SignedMultiplicities);
 }
 
-// A Moebius strip has one side: nothing is turned.
+// A Klein bottle has one side: nothing is turned.
 TEST(Orient, LeavesOneSidedSurfacesAlone)
 {
   constexpr int n = 12;
-  TriangleMesh strip;
-  for (int i = 0; i < n; ++i)
+  TriangleMesh bottle = models::Torus(2.0, 0.5, n, n);
+  // Of the torus, the last ring is connected to the first one the other way round.
+  for (Triangle& t : bottle.Triangles)
   {
-    const double angle = 2.0 * std::acos(-1.0) * i / n;
-    for (const double width : { -0.2, 0.2 })
+    const bool wraps = std::any_of(t.begin(), t.end(), [](int p) { return p / n == n - 1; }) &&
+      std::any_of(t.begin(), t.end(), [](int p) { return p / n == 0; });
+    for (int& p : t)
     {
-      const double radius = 1.0 + width * std::cos(angle / 2.0);
-      strip.Points.push_back(
-        { radius * std::cos(angle), radius * std::sin(angle), width * std::sin(angle / 2.0) });
+      p = wraps && p / n == 0 ? (n - p) % n : p;
     }
-    const int a = 2 * i, b = a + 1;
-    const int c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0; // the last one is twisted
-    strip.Triangles.push_back({ a, c, b });
-    strip.Triangles.push_back({ b, c, d });
   }
-  EXPECT_EQ(Oriented(strip).SignedMultiplicities, std::vector<int>(2 * n, 1));
+  ASSERT_TRUE(Clean(AsResolved(bottle)).Facets.size() == bottle.Triangles.size());
+  EXPECT_EQ(Oriented(bottle).SignedMultiplicities, std::vector<int>(bottle.Triangles.size(), 1));
+}
+
+// Parts that are open, but for rounding, can share edges with others that touch them: two boxes, one
+// on the other, whose sides do not share edges, stay as they are.
+TEST(Orient, LeavesOpenPartsAlone)
+{
+  const TriangleMesh boxes = models::Joined(models::PatchedBox({ 3, 2, 1 }, { 2, 2, 2, 2, 1, 1 }),
+    models::Moved(models::PatchedBox({ 3, 2, 1 }, { 1, 1, 1, 1, 2, 2 }), { 0, 0, 1 }));
+  const ResolvedMesh given = Clean(AsResolved(boxes));
+  const std::vector<FacetNeighbors> neighbors = FindFacetNeighbors(given);
+  EXPECT_TRUE(std::any_of(neighbors.begin(), neighbors.end(),
+    [](const FacetNeighbors& of) {
+      return std::any_of(of.begin(), of.end(), [](const FacetNeighbor& n) { return n.Flipped; });
+    }));
+  EXPECT_EQ(Oriented(boxes).SignedMultiplicities, given.SignedMultiplicities);
 }
 
 // Where three triangles share an edge, there is no telling which two belong together.

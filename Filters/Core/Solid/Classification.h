@@ -49,8 +49,8 @@ struct Region
   RegionKind Kind = RegionKind::Outside;
   double Winding = 0.0; ///< with NonzeroWinding: the winding number; 0 for kind Outside
   /**
-   * The rule had to guess because M is open wider than a crack, or inconsistently oriented: the winding number is not
-   * within 0.1 of an integer, or the parity depends on the path or the ray.
+   * The rule had to guess because M is open wider than a crack, or inconsistently oriented: the
+   * winding number is not within 0.1 of an integer, or the parity depends on the path or the ray.
    */
   char Guessed = 0;
 };

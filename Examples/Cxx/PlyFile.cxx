@@ -23,8 +23,7 @@ std::string PlyFile::FindMistake(const std::string& fileName)
     if (name != "vertex" && count != "0" && found.empty())
     {
       found = "its " + count + " elements \"" + name +
-        "\" come before its faces, where VTK's reader does not expect them; write them last, or "
-        "not";
+        "\" come before its faces, where VTK's reader does not expect them; write the faces first";
     }
   }
   return {};

@@ -2,7 +2,9 @@
 #include "Core/Solid/Cracks.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Solid/ThinFaces.h"
 #include "Core/Solid/Winding.h"
 
@@ -81,26 +83,23 @@ bool MarkAsked(
   return std::find(isAsked.begin(), isAsked.end(), 1) != isAsked.end();
 }
 
-/** The regions of a mesh that thin faces divide, and those among them that are solid. */
+/**
+ * The regions of a mesh that thin faces divide, and those among them that are solid. Regions on both
+ * sides of a thin face are one set, unless one of them is thick and solid.
+ */
 class DividedRegions
 {
 public:
-  DividedRegions(
-    const Tetrahedralization& mesh, const Classification& regions, const std::vector<char>& thick)
-    : Mesh(mesh)
-    , Regions(regions)
+  DividedRegions(const Tetrahedralization& mesh, const Classification& regions,
+    const std::vector<char>& thick, const std::vector<CellFace>& thinFaces)
+    : Regions(regions)
     , Thick(thick)
     , Sets(thick.size() + 1)
     , Open(thick.size() + 1, 0)
   {
-  }
-
-  /** Unites the regions on both sides of faces, unless one is thick and solid. */
-  void Unite(const std::vector<CellFace>& faces)
-  {
-    for (const auto& [cell, f] : faces)
+    for (const auto& [cell, f] : thinFaces)
     {
-      const int a = this->RegionOf(cell), b = this->RegionOf(this->Mesh.Neighbors[cell][f]);
+      const int a = this->RegionOf(cell), b = this->RegionOf(mesh.Neighbors[cell][f]);
       if (!this->IsThickSolid(a) && !this->IsThickSolid(b))
       {
         this->Sets.Unite(a, b);
@@ -138,7 +137,6 @@ private:
       this->Regions.Regions[region].Kind == RegionKind::Solid;
   }
 
-  const Tetrahedralization& Mesh;
   const Classification& Regions;
   const std::vector<char>& Thick;
   DisjointSets Sets;
@@ -186,7 +184,7 @@ std::vector<char> FindWideSeals(
   {
     const auto& [cell, f] = seals[i].OfSolid;
     const Triangle face = mesh.OutwardFace(cell, f);
-    areas[i] = FaceArea(carving::CornersOf<3>(mesh.Surface.Points, face));
+    areas[i] = Size(carving::CornersOf<3>(mesh.Surface.Points, face));
     for (int k = 0; k < 3; ++k)
     {
       const auto [lower, upper] = std::minmax(face[k], face[(k + 1) % 3]);
@@ -227,8 +225,7 @@ std::vector<char> FindWideSeals(
 std::vector<Seal> CollectSeals(const Tetrahedralization& mesh, const Classification& regions,
   const std::vector<char>& thick, const std::vector<CellFace>& thin)
 {
-  DividedRegions divided(mesh, regions, thick);
-  divided.Unite(thin);
+  DividedRegions divided(mesh, regions, thick, thin);
   std::vector<Seal> seals;
   for (const CellFace& face : thin)
   {

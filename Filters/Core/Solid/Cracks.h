@@ -18,10 +18,10 @@ namespace carving
 constexpr double MostCrackWidth = 1e-6;
 
 /**
- * Adds facets to M across cracks through which its solid would be connected to the outside. These
- * are faces of cells no wider than MostCrackWidth that separate a region, which is solid by the
- * rule, from others. Each takes over the source of a facet that it touches. Returns their number.
- * `threads` are used to measure winding numbers.
+ * Adds facets to M across cracks through which its solid would be connected to the outside. They
+ * are faces of cells that are no wider than a crack, and separate solid regions from others. A patch
+ * of them is no wider on average. Each facet takes over the source of one that it touches. Returns
+ * their number. Several threads measure winding numbers.
  */
 int SealCracks(Tetrahedralization& mesh, SolidRule rule, int threads);
 

@@ -2,6 +2,7 @@
 #include "Core/Solid/ThinFaces.h"
 
 #include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/FacetTree.h"
 
 #include <algorithm>
 
@@ -26,18 +27,12 @@ bool IsThick(const Tetrahedralization& mesh, int cell, double width)
   double largest = 0.0;
   for (int f = 0; f < 4; ++f)
   {
-    largest =
-      std::max(largest, FaceArea(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
+    largest = std::max(largest, Size(CornersOf<3>(mesh.Surface.Points, mesh.OutwardFace(cell, f))));
   }
   return 3.0 * Size(CornersOfCell(mesh, cell)) > width * largest;
 }
 
 } // namespace
-
-double FaceArea(const FacetCorners<3>& face)
-{
-  return Length(Cross(face[1] - face[0], face[2] - face[0])) / 2.0;
-}
 
 CellFace OtherSide(const Tetrahedralization& mesh, const CellFace& face)
 {

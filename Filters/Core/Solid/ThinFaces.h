@@ -6,7 +6,6 @@
 #ifndef carving_ThinFaces_h
 #define carving_ThinFaces_h
 
-#include "Core/Mesh/FacetTree.h"
 #include "Core/Solid/Classification.h"
 
 #include <vector>
@@ -19,9 +18,6 @@ struct CellFace
 {
   int Cell, Face;
 };
-
-/** The area of a face. */
-double FaceArea(const FacetCorners<3>& face);
 
 /** The same face, of the cell on the other side; of the exterior if there is none. */
 CellFace OtherSide(const Tetrahedralization& mesh, const CellFace& face);

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/ClosedSurface.h"
 
 #include "Core/Mesh/Buckets.h"
+#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/ExactWinding.h"
@@ -213,10 +214,7 @@ void TurnPartsOutward(ResolvedMesh& surface)
     parts.Unite(b, c);
   }
   const auto sizeOf = [&](int facet)
-  {
-    const auto [a, b, c] = carving::CornersOf<3>(surface.Points, surface.Facets[facet]);
-    return Length(Cross(b - a, c - a));
-  };
+  { return Size(carving::CornersOf<3>(surface.Points, surface.Facets[facet])); };
   std::map<int, int> largest; // per part: the facet
   for (int facet = 0; facet < static_cast<int>(surface.Facets.size()); ++facet)
   {

@@ -17,8 +17,8 @@ namespace
 constexpr long long MostQueries = 4000;
 
 /**
- * Queries per face on average: mostly, faces take 5 to 30. Where large parts of faces are as far as
- * the bound, all of them would take the greatest number and still be turned away.
+ * Queries per face on average. Most faces take 5 to 30. Where large parts of faces are about as far
+ * as the bound, every face would take the greatest number and still be turned away.
  */
 constexpr long long MostQueriesOnAverage = 100;
 

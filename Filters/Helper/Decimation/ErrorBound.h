@@ -63,7 +63,7 @@ private:
   const FaceDistance<3>& FromM;
   double Bound = 0.0;
   std::vector<double> Excesses; ///< per edge: the least distance that was too large, or 0
-  long long SavedQueries;       ///< that faces up to now could have taken on average
+  long long SavedQueries;       ///< that earlier faces have left over
 };
 
 } // namespace carving::helper

@@ -65,7 +65,7 @@ std::size_t FindConstraints(Tetrahedralization& result)
     std::sort(facets[point].begin(), facets[point].end());
   }
   std::vector<char> found(triangles.size(), 0);
-  std::size_t twice = 0; // after TetGen has been given points that are very close to each other
+  std::size_t twice = 0; // TetGen makes such faces of points that are very close to each other
   std::vector<std::array<int, 4>> constraints(result.Cells.size(), { -1, -1, -1, -1 });
   for (int cell = 0; cell < static_cast<int>(result.Cells.size()); ++cell)
   {

@@ -182,8 +182,7 @@ std::size_t CountKept(const PiercedMesh& mesh)
     cells.begin(), cells.end(), [](const Cell cell) { return cell->info().IsPierced(); });
 }
 
-/** The share of M's area that is faces. Needles, which mostly have hardly any area, do
- * not count. */
+/** The share of M's area that is faces. Needles do not count: most have hardly any area. */
 double MetShareOf(const CutTetrahedra& cells)
 {
   std::vector<double> shares(cells.Input.Facets.size());
@@ -267,7 +266,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   }
   KeepBareVertices(mesh, met);
   const KeptDistances kept = MeasureKept(mesh, distance, negligible * length, length, threads);
-  mesh.PierceBelowNeedles(); // not measured: mostly, these tetrahedra are in the solid
+  mesh.PierceBelowNeedles(); // not measured: most of these tetrahedra are in the solid
   result = {};
   result.Surface.PointSources = met.PointSources;
   WriteCells(mesh, result);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/Orient.h"
 
+#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
-#include "Core/Mesh/Vector.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Helper/Resolve/FacetNeighbors.h"
 
 #include <utility>
@@ -42,12 +43,6 @@ std::vector<Pair> FindPairsUnlessAlike(const ResolvedMesh& mesh)
   return areAllAlike ? std::vector<Pair>() : pairs;
 }
 
-double AreaOf(const ResolvedMesh& mesh, std::size_t facet)
-{
-  const auto& [a, b, c] = mesh.Facets[facet];
-  return Length(Cross(mesh.Points[b] - mesh.Points[a], mesh.Points[c] - mesh.Points[a])) / 2.0;
-}
-
 } // namespace
 
 void OrientAlike(ResolvedMesh& mesh)
@@ -60,16 +55,13 @@ void OrientAlike(ResolvedMesh& mesh)
   // Members 2 f and 2 f + 1 are facet f as given and turned. Members of a set go together.
   const std::size_t count = mesh.Facets.size();
   DisjointSets sets(2 * count);
+  std::vector<char> sides(count, 0); // that belong to a pair
   for (const auto& [first, second, areAlike] : pairs)
   {
     sets.Unite(2 * first, 2 * second + (areAlike ? 0 : 1));
     sets.Unite(2 * first + 1, 2 * second + (areAlike ? 1 : 0));
-  }
-  std::vector<char> sides(count, 0); // that belong to a pair
-  for (const Pair& pair : pairs)
-  {
-    ++sides[pair.First];
-    ++sides[pair.Second];
+    ++sides[first];
+    ++sides[second];
   }
   std::vector<char> isOpen(2 * count, 0);    // per set
   std::vector<double> areas(2 * count, 0.0); // of the facets as given in each set
@@ -77,7 +69,7 @@ void OrientAlike(ResolvedMesh& mesh)
   {
     const int given = sets.Find(static_cast<int>(2 * f));
     const int turned = sets.Find(static_cast<int>(2 * f + 1));
-    areas[given] += AreaOf(mesh, f);
+    areas[given] += Size(carving::CornersOf<3>(mesh.Points, mesh.Facets[f]));
     isOpen[given] = isOpen[given] || sides[f] < 3;
     isOpen[turned] = isOpen[turned] || sides[f] < 3;
   }

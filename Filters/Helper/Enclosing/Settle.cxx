@@ -4,11 +4,9 @@
  * Finds the tetrahedra of a PiercedMesh that parts meet.
  */
 #include "Core/Mesh/ForEach.h"
-#include "Helper/Base/IndexedBox.h"
+#include "Helper/Base/BoxPairs.h"
 #include "Helper/Enclosing/HullFace.h"
 #include "Helper/Enclosing/Walk.h"
-
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <atomic>
@@ -199,8 +197,6 @@ void PiercedMesh::Forget(int part)
  */
 void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>& cells)
 {
-  // CGAL takes boxes of the same index for the same box, even from different sequences.
-  const int firstCell = static_cast<int>(parts.size());
   std::vector<IndexedBox> partBoxes, cellBoxes;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
@@ -216,12 +212,11 @@ void PiercedMesh::MeetAll(const std::vector<int>& parts, const std::vector<Cell>
         bounds += HullFace(this->Mesh, cells[i], f).GetBounds();
       }
     }
-    cellBoxes.emplace_back(bounds, firstCell + static_cast<int>(i));
+    cellBoxes.emplace_back(bounds, static_cast<int>(i));
   }
   std::vector<std::pair<int, int>> pairs;
-  CGAL::box_intersection_d(partBoxes.begin(), partBoxes.end(), cellBoxes.begin(), cellBoxes.end(),
-    [&](const IndexedBox& part, const IndexedBox& cell)
-    { pairs.emplace_back(part.Index, cell.Index - firstCell); });
+  VisitPairs(std::move(partBoxes), std::move(cellBoxes),
+    [&](int part, int cell) { pairs.emplace_back(part, cell); });
   std::sort(pairs.begin(), pairs.end());
   for (auto pair = pairs.begin(); pair != pairs.end();)
   {

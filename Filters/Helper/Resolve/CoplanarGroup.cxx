@@ -116,11 +116,14 @@ void Arrangement::InsertSegments()
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
     const auto& [edge, triangle] = sides[i];
+    const Vertex a = this->Vertices[edge[0]], b = this->Vertices[edge[1]];
+    if (a == b)
+    {
+      continue; // seen along the normal, the ends are at one place
+    }
     const bool known = i > 0 && sides[i - 1].first == edge;
-    this->Sides.emplace_back(triangle,
-      known
-        ? this->Sides.back().second
-        : this->Triangulation.insert_constraint(this->Vertices[edge[0]], this->Vertices[edge[1]]));
+    this->Sides.emplace_back(
+      triangle, known ? this->Sides.back().second : this->Triangulation.insert_constraint(a, b));
   }
   std::unordered_set<Edge, EdgeHash> known;
   for (const auto& [from, to] : this->Group.Cuts)

@@ -138,9 +138,18 @@ std::vector<CoplanarGroup> FindGroups(
 
 } // namespace
 
-ResolvedMesh Weld(ResolvedMesh mesh, double tolerance)
+ResolvedMesh Weld(ResolvedMesh mesh, double tolerance, double& distance)
 {
   const std::vector<int> first = FirstNearPoints(mesh.Points, tolerance);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i)
+  {
+    if (mesh.PointSources[i] >= 0)
+    {
+      farthest = std::max(farthest, Length(mesh.Points[first[i]] - mesh.Points[i]));
+    }
+  }
+  distance += farthest;
   for (Triangle& facet : mesh.Facets)
   {
     for (int& corner : facet)

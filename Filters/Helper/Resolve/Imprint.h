@@ -15,8 +15,11 @@
 namespace carving::helper
 {
 
-/** Takes points that are within `tolerance` of each other as one. Drops triangles without area. */
-ResolvedMesh Weld(ResolvedMesh mesh, double tolerance);
+/**
+ * Takes points that are within `tolerance` of each other as one. Drops triangles without area. Adds
+ * the largest distance by which a point that has a source moves to `distance`.
+ */
+ResolvedMesh Weld(ResolvedMesh mesh, double tolerance, double& distance);
 
 /**
  * Splits edges at the points that are within `tolerance` of them and where other edges pass them

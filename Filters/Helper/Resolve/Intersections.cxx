@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 #include "Helper/Resolve/Intersections.h"
 
-#include "Helper/Base/IndexedBox.h"
+#include "Helper/Base/BoxPairs.h"
 #include "Helper/Base/TriangleCrossing.h"
-
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 
@@ -12,12 +10,6 @@ namespace carving::helper
 {
 namespace
 {
-
-/**
- * The number of boxes from which on CGAL divides them. On meshes without crossings, the default of
- * 10 takes 1.7 times as long.
- */
-constexpr std::ptrdiff_t ScanSize = 1000;
 
 Corners3 CornersOf(const std::vector<Point>& points, const Triangle& t)
 {
@@ -43,12 +35,11 @@ std::vector<std::pair<int, int>> FindIntersections(
     boxes.emplace_back(bounds, static_cast<int>(boxes.size()));
   }
   std::vector<std::pair<int, int>> pairs;
-  const auto add = [&](const IndexedBox& a, const IndexedBox& b)
+  const auto add = [&](int a, int b)
   {
-    if (TrianglesCross(
-          CornersOf(points, triangles[a.Index]), CornersOf(points, triangles[b.Index])))
+    if (TrianglesCross(CornersOf(points, triangles[a]), CornersOf(points, triangles[b])))
     {
-      pairs.push_back(std::minmax(a.Index, b.Index));
+      pairs.push_back(std::minmax(a, b));
       if (pairs.size() >= most)
       {
         throw EnoughPairs();
@@ -57,8 +48,7 @@ std::vector<std::pair<int, int>> FindIntersections(
   };
   try
   {
-    CGAL::box_self_intersection_d(
-      boxes.begin(), boxes.end(), add, ScanSize, CGAL::Box_intersection_d::CLOSED);
+    VisitPairs(std::move(boxes), add);
   }
   catch (const EnoughPairs&)
   {

@@ -9,10 +9,8 @@
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Base/IndexedBox.h"
+#include "Helper/Base/BoxPairs.h"
 #include "Helper/Base/Kernels.h"
-
-#include <CGAL/box_intersection_d.h>
 
 #include <array>
 #include <cstddef>
@@ -51,22 +49,6 @@ inline std::vector<std::array<int, 1>> EachPoint(const std::vector<Point>& point
     simplices[i] = { static_cast<int>(i) };
   }
   return simplices;
-}
-
-/** Calls `visit` with the indices of any two boxes that meet. */
-template <class Visit>
-void VisitPairs(std::vector<IndexedBox> boxes, const Visit& visit)
-{
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(),
-    [&](const IndexedBox& a, const IndexedBox& b) { visit(a.Index, b.Index); });
-}
-
-/** The same for boxes of two kinds. */
-template <class Visit>
-void VisitPairs(std::vector<IndexedBox> first, std::vector<IndexedBox> second, const Visit& visit)
-{
-  CGAL::box_intersection_d(first.begin(), first.end(), second.begin(), second.end(),
-    [&](const IndexedBox& a, const IndexedBox& b) { visit(a.Index, b.Index); });
 }
 
 /**

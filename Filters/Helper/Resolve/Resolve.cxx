@@ -169,15 +169,16 @@ std::string ResolvePairs(
     maximumPairs);
 }
 
-std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, int& intersectingPairs,
-  const Progress& progress, double maximumPairs)
+std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, double& distance,
+  int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
+  distance = 0.0;
   const auto split = [&](const Pairs& pairs)
   {
     GoOn(progress, 0.0);
-    return Weld(Imprint(std::move(mesh), pairs, tolerance), tolerance);
+    return Weld(Imprint(std::move(mesh), pairs, tolerance), tolerance, distance);
   };
-  mesh = Weld(std::move(mesh), tolerance);
+  mesh = Weld(std::move(mesh), tolerance, distance);
   Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
   intersectingPairs = static_cast<int>(pairs.size());
   if (pairs.empty()) // triangles may lie on each other without crossing

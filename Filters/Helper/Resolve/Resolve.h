@@ -33,10 +33,11 @@ std::string ResolvePairs(ResolvedMesh& mesh, std::vector<std::pair<int, int>> pa
 
 /**
  * Does the same to a mesh whose parts touch but for rounding: points, edges and triangles that are
- * within `tolerance` of each other are taken to touch (Weld, Imprint).
+ * within `tolerance` of each other are taken to touch (Weld, Imprint). No point that has a source
+ * moves farther than `distance`.
  */
-std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, int& intersectingPairs,
-  const Progress& progress, double maximumPairs = HUGE_VAL);
+std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, double& distance,
+  int& intersectingPairs, const Progress& progress, double maximumPairs = HUGE_VAL);
 
 } // namespace carving::helper
 

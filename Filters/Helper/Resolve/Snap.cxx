@@ -104,8 +104,9 @@ std::string SnapTouching(const ResolvedMesh& given, double tolerance, const Prog
   snapped = {};
   ResolvedMesh& mesh = snapped.Mesh;
   mesh = given;
-  std::string mistake =
-    ResolveTouching(mesh, tolerance, snapped.IntersectingPairs, progress, maximumPairs);
+  double again = 0.0; // the distance by which given points move at the second time
+  std::string mistake = ResolveTouching(
+    mesh, tolerance, snapped.Distance, snapped.IntersectingPairs, progress, maximumPairs);
   if (mistake.empty())
   {
     // TetGen takes points that roundings alone have moved off a plane as on it at one time and off
@@ -122,10 +123,10 @@ std::string SnapTouching(const ResolvedMesh& given, double tolerance, const Prog
     if (!FindIntersections(mesh.Points, mesh.Facets).empty())
     {
       int left = 0;
-      mistake = ResolveTouching(mesh, tolerance, left, progress, maximumPairs);
+      mistake = ResolveTouching(mesh, tolerance, again, left, progress, maximumPairs);
     }
   }
-  snapped.Distance = DistanceFromSources(given, mesh);
+  snapped.Distance = std::max(snapped.Distance + again, DistanceFromSources(given, mesh));
   return mistake;
 }
 

@@ -45,8 +45,9 @@ std::string Snap(const ResolvedMesh& given, double spacing, const Progress& prog
 
 /**
  * Resolves a mesh whose parts touch but for rounding: takes what is within `tolerance` of each
- * other to touch (ResolveTouching), and rounds new points to a grid. Given points keep their
- * places, unless several become one.
+ * other to touch (ResolveTouching), and rounds new points to a grid. If triangles still cross each
+ * other, what is within `tolerance` is taken to touch once more, without rounding. Given points
+ * keep their places, unless several become one.
  */
 std::string SnapTouching(const ResolvedMesh& given, double tolerance, const Progress& progress,
   double maximumPairs, SnappedMesh& snapped);

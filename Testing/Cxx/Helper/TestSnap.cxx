@@ -3,6 +3,7 @@
 #include "Core/Mesh/Vector.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Imprint.h"
+#include "Helper/Resolve/Intersections.h"
 #include "Helper/Resolve/Resolve.h"
 #include "Helper/Resolve/Snap.h"
 #include "RandomModels.h"
@@ -70,6 +71,21 @@ TriangleMesh Prism(int sides, double from, double to)
   {
     mesh.Triangles.push_back({ 0, 2 * i + 2, 2 * i });
     mesh.Triangles.push_back({ 1, 2 * i + 1, 2 * i + 3 });
+  }
+  return mesh;
+}
+
+/** The same mesh with its points in another order, which begins with the given one. */
+TriangleMesh BeginningWith(int first, TriangleMesh mesh)
+{
+  const int count = static_cast<int>(mesh.Points.size());
+  std::rotate(mesh.Points.begin(), mesh.Points.begin() + first, mesh.Points.end());
+  for (Triangle& t : mesh.Triangles)
+  {
+    for (int& corner : t)
+    {
+      corner = (corner + count - first) % count;
+    }
   }
   return mesh;
 }
@@ -231,14 +247,42 @@ TEST(SnapTouching, ResolvesRotatedBlocks)
   }
 }
 
+// Points that become one have moved, also if all of them stay on their triangles.
+TEST(SnapTouching, TellsHowFarPointsMove)
+{
+  const TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
+  const TriangleMesh given = models::Joined(box, models::Moved(box, { 3e-10, 0, 0 }));
+  SnappedMesh snapped;
+  ASSERT_EQ(SnapTouching(Clean(AsResolved(given)), 1e-9, {}, HUGE_VAL, snapped), "");
+  EXPECT_EQ(snapped.Mesh.Facets.size(), box.Triangles.size());
+  EXPECT_NEAR(snapped.Distance, 3e-10, 1e-15);
+}
+
+// Two points above each other can both touch an edge of a triangle, while the edge between them is
+// perpendicular to the triangle.
+TEST(SnapTouching, ResolvesSidesThatAreSeenFromTheirEnds)
+{
+  constexpr double tolerance = 1e-12, height = 0.75 * tolerance;
+  const TriangleMesh given = { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 0, -height },
+                                 { 1, -1, -2 }, { 2, -1, -2 }, { 1, 0, height }, { 1, -1, 2 },
+                                 { 2, -1, 2 } },
+    { { 0, 1, 2 }, { 3, 4, 5 }, { 6, 7, 8 } } };
+  SnappedMesh snapped;
+  ASSERT_EQ(SnapTouching(Clean(AsResolved(given)), tolerance, {}, HUGE_VAL, snapped), "");
+  EXPECT_TRUE(FindIntersections(snapped.Mesh.Points, snapped.Mesh.Facets).empty());
+}
+
 // Points that are closer than the tolerance become one, and others stay.
 TEST(Weld, MergesPointsWithinTheTolerance)
 {
   TriangleMesh box = models::Box({ 0, 0, 0 }, { 1, 1, 1 });
   const std::size_t points = box.Points.size();
   const TriangleMesh given = models::Joined(box, models::Moved(box, { 1e-9, 0, 0 }));
-  EXPECT_EQ(Weld(Clean(AsResolved(given)), 0.9e-9).Points.size(), 2 * points);
-  EXPECT_EQ(Weld(Clean(AsResolved(given)), 1.1e-9).Points.size(), points);
+  double distance = 0.0;
+  EXPECT_EQ(Weld(Clean(AsResolved(given)), 0.9e-9, distance).Points.size(), 2 * points);
+  EXPECT_EQ(distance, 0.0);
+  EXPECT_EQ(Weld(Clean(AsResolved(given)), 1.1e-9, distance).Points.size(), points);
+  EXPECT_NEAR(distance, 1e-9, 1e-15);
 }
 
 // A mesh in which nothing touches and no pair is given is the same after imprinting.
@@ -251,22 +295,26 @@ TEST(Imprint, LeavesACleanMeshAlone)
 }
 
 // A corner that nearly lies on an edge of another triangle splits that edge, one that nearly lies
-// on the triangle splits it into three, and two edges that nearly cross get a common point.
+// on the triangle splits it into three, and two edges that nearly cross get a common point, in
+// whatever order the points are.
 TEST(Imprint, SplitsAtWhatNearlyTouches)
 {
   constexpr double gap = 1e-14, tolerance = 1e-12;
   const TriangleMesh lower = { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 } }, { { 0, 1, 2 } } };
-  const auto countAfter = [&](const Point& a, const Point& b, const Point& c)
+  const auto expectCounts = [&](const TriangleMesh& upper, std::size_t points, std::size_t facets)
   {
-    const TriangleMesh upper = { { a, b, c }, { { 0, 1, 2 } } };
-    const ResolvedMesh mesh =
-      Imprint(Clean(AsResolved(models::Joined(lower, upper))), {}, tolerance);
-    return std::pair(mesh.Points.size(), mesh.Facets.size());
+    const TriangleMesh both = models::Joined(lower, upper);
+    for (int first = 0; first < static_cast<int>(both.Points.size()); ++first)
+    {
+      const ResolvedMesh mesh =
+        Imprint(Clean(AsResolved(BeginningWith(first, both))), {}, tolerance);
+      EXPECT_EQ(mesh.Points.size(), points) << first;
+      EXPECT_EQ(mesh.Facets.size(), facets) << first;
+    }
   };
-  using Counts = std::pair<std::size_t, std::size_t>;
-  EXPECT_EQ(countAfter({ 2, gap, gap }, { 2, -2, 2 }, { 3, -2, 2 }), Counts(6, 3));
-  EXPECT_EQ(countAfter({ 1, 1, gap }, { 1, 1, 2 }, { 2, 1, 2 }), Counts(6, 4));
-  EXPECT_EQ(countAfter({ 2, -1, gap - 1 }, { 2, 1, gap + 1 }, { 2, -1, 3 }), Counts(7, 4));
+  expectCounts({ { { 2, gap, gap }, { 2, -2, 2 }, { 3, -2, 2 } }, { { 0, 1, 2 } } }, 6, 3);
+  expectCounts({ { { 1, 1, gap }, { 1, 1, 2 }, { 2, 1, 2 } }, { { 0, 1, 2 } } }, 6, 4);
+  expectCounts({ { { 2, -1, gap - 1 }, { 2, 1, gap + 1 }, { 2, -1, 3 } }, { { 0, 1, 2 } } }, 7, 4);
 }
 
 // With too many intersections, nothing is resolved, and the message says why.

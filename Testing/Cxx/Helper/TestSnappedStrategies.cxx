@@ -79,11 +79,14 @@ TEST(Strategies, MeetFlushParts)
     EXPECT_EQ(reply.KeptDistance, 0.0) << reply.Attempts;
     EXPECT_LE(reply.SnapDistance, 1e-12 * Diagonal(job.Mesh.Points));
     const ResolvedMesh& surface = reply.Result.Surface;
+    std::size_t given = 0;
     for (std::size_t k = 0; k < surface.Points.size(); ++k)
     {
       const int source = surface.PointSources[k];
       EXPECT_TRUE(source < 0 || surface.Points[k] == job.Mesh.Points[source]);
+      given += source >= 0;
     }
+    EXPECT_EQ(given, job.Mesh.Points.size());
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/TrialRunner.h"
 
-#include "Core/Mesh/Box.h"
 #include "Core/Surface/LevelParts.h"
 #include "Core/Surface/Manifold.h"
 #include "Core/Surface/SurfaceTopology.h"
@@ -73,7 +72,7 @@ TrialRunner::TrialRunner(
   , Profile(carved.Profile)
   , Stages(stages)
   , Mesh(GetMesh(leaf, carved.Stream))
-  , Diagonal(carving::Diagonal(this->Mesh.Points))
+  , Diagonal(carving::Diagonal(this->Mesh))
   , Distance(this->Mesh)
   , Threads(threads)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Carving/CellDistances.h"
 
-#include "Core/Mesh/Box.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/ForEach.h"
 #include "Core/Mesh/LargePages.h"
@@ -67,7 +66,7 @@ std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
 template <int D>
 std::vector<double> MeasureDepths(const Decomposition<D>& mesh, int threads)
 {
-  const double smallest = 1e-9 * Diagonal(mesh.Surface.Points);
+  const double smallest = 1e-9 * Diagonal(mesh.GetInput());
   std::vector<double> depths = MeasureDistancesFrom<D>(ExtractInitialSurface(mesh), mesh, threads);
   for (double& depth : depths)
   {

@@ -163,7 +163,7 @@ double BallRadius(const FacetCorners<D>& face)
 template <int D>
 FaceDistance<D>::FaceDistance(const ResolvedInput<D>& mesh)
   : Tree(mesh)
-  , Negligible(NegligibleShare * Diagonal(mesh.Points))
+  , Negligible(NegligibleShare * Diagonal(mesh))
 {
 }
 

@@ -21,6 +21,20 @@ double SquaredDistanceToSegment(const Point& a, const Point& b, const Point& p)
 
 } // namespace
 
+template <int D>
+double Diagonal(const ResolvedInput<D>& mesh)
+{
+  Box box;
+  for (const auto& facet : mesh.Facets)
+  {
+    for (const int corner : facet)
+    {
+      box.Add(mesh.Points[corner]);
+    }
+  }
+  return box.IsEmpty() ? 0.0 : Length(box.Upper - box.Lower);
+}
+
 double DistanceTo(const FacetCorners<2>& edge, const Point& p)
 {
   return std::sqrt(SquaredDistanceToSegment(edge[0], edge[1], p));
@@ -66,6 +80,8 @@ typename FacetTree<D>::Closest FacetTree<D>::Find(const Point& p, double enough,
   return closest;
 }
 
+template double Diagonal<2>(const ResolvedInput<2>&);
+template double Diagonal<3>(const ResolvedInput<3>&);
 template class FacetTree<2>;
 template class FacetTree<3>;
 

@@ -29,6 +29,13 @@ FacetCorners<D> CornersOf(const std::vector<Point>& points, const std::array<int
   return corners;
 }
 
+/**
+ * The length of the diagonal of the facets' bounding box; 0 without facets. A mesh in a
+ * tetrahedralization has further points, which may be far from its facets.
+ */
+template <int D>
+double Diagonal(const ResolvedInput<D>& mesh);
+
 /** The distance of a point from a triangle (D = 3) or an edge (D = 2) of nonzero length. */
 double DistanceTo(const FacetCorners<2>& edge, const Point& p);
 double DistanceTo(const FacetCorners<3>& triangle, const Point& p);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solid/Cracks.h"
 
-#include "Core/Mesh/Box.h"
 #include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/FacetTree.h"
@@ -245,7 +244,7 @@ std::vector<Seal> CollectSeals(const Tetrahedralization& mesh, const Classificat
 std::vector<Seal> FindSeals(Tetrahedralization& mesh, SolidRule rule, int threads)
 {
   const Classification undivided = FindRegions(mesh);
-  const double width = MostCrackWidth * Diagonal(mesh.GetInput().Points);
+  const double width = MostCrackWidth * Diagonal(mesh.GetInput());
   const std::vector<CellFace> thin = FindThinFaces(mesh, undivided, width);
   if (thin.empty())
   {

@@ -100,8 +100,9 @@ void RestoreSignals()
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void RunChild(
-  pid_t parent, const Limits& limits, double processorSeconds, const std::function<bool()>& work)
+/** Any other exception than for memory ends the child at once: its callers are the parent's. */
+[[noreturn]] void RunChild(pid_t parent, const Limits& limits, double processorSeconds,
+  const std::function<bool()>& work) noexcept
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)

@@ -9,6 +9,7 @@
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Interior.h"
 #include "Helper/Resolve/Intersections.h"
+#include "Helper/Resolve/Orient.h"
 #include "Helper/Resolve/Resolve.h"
 #include "Helper/Resolve/Snap.h"
 
@@ -44,7 +45,8 @@ double MaximumPairs(const Job& job, std::size_t numberOfFacets)
 std::string AddInitial(const Job& job, ResolvedMesh& surface)
 {
   // A triangle that is given twice must not be marked twice.
-  const ResolvedMesh initial = Clean(AsResolved(job.InitialMesh));
+  ResolvedMesh initial = Clean(AsResolved(job.InitialMesh));
+  OrientAlike(initial);
   std::string mistake = CheckInitialSurface(initial);
   mistake = mistake.empty() ? CheckPointsWithin(initial, surface) : mistake;
   if (!mistake.empty())

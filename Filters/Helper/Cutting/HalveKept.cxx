@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <tuple>
 #include <vector>
 
@@ -138,6 +139,7 @@ std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double
     progress(static_cast<double>(added) / static_cast<double>(maximumPoints));
     const std::vector<Cell> far = FindFar(mesh, changed, distance, tolerance, threads);
     std::vector<int> made;
+    std::set<Edge> stuck; // cannot be halved as long as the mesh around them stays the same
     for (const Measured& edge : FindLongestEdges(far))
     {
       if (added == maximumPoints)
@@ -154,6 +156,10 @@ std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double
         made.push_back(vertex);
         ++added;
       }
+      else
+      {
+        stuck.insert(edge.Ends);
+      }
     }
     if (made.empty())
     {
@@ -164,7 +170,8 @@ std::size_t HalveKept(PiercedMesh& mesh, const SurfaceDistance& distance, double
     for (const Cell& cell : far)
     {
       // Tetrahedra that are gone leave their places to others, or vacant.
-      if (mesh.GetDelaunay().tds().cells().is_used(cell))
+      if (mesh.GetDelaunay().tds().cells().is_used(cell) &&
+        stuck.count(FindLongestEdge(cell).Ends) == 0)
       {
         mesh.Push(cell, changed);
       }

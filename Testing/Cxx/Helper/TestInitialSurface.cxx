@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 using namespace carving;
 using namespace carving::helper;
 
@@ -68,6 +70,18 @@ TEST(InitialSurface, MayRepeatTriangles)
 {
   TriangleMesh initial = BigBox();
   initial.Triangles.push_back(initial.Triangles.front());
+  const Reply reply = GetReply(MakeJob(models::Sphere(1), initial));
+  EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 216.0, 1e-9);
+}
+
+// The orientation of C0's triangles does not matter.
+TEST(InitialSurface, MayHaveTurnedTriangles)
+{
+  TriangleMesh initial = BigBox();
+  for (std::size_t i = 0; i < initial.Triangles.size(); i += 2)
+  {
+    std::swap(initial.Triangles[i][0], initial.Triangles[i][1]);
+  }
   const Reply reply = GetReply(MakeJob(models::Sphere(1), initial));
   EXPECT_NEAR(checks::SixVolume(reply.Result), 6.0 * 216.0, 1e-9);
 }

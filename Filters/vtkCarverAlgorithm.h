@@ -255,8 +255,9 @@ public:
    * open where vertices lie on edges of other triangles and coordinates are rounded.
    *
    * For a mesh that is open or inconsistently oriented, the first two rules may have to guess; then
-   * a note says so. If the first attempts at a tetrahedralization failed, further attempts depend
-   * on the rule: a change of the rule then runs the helper program again.
+   * a note says so. Seals of cracks depend on the rule, and so do further attempts at a
+   * tetrahedralization if the first ones failed: a change of the rule then runs the helper program
+   * again.
    */
   vtkSetClampMacro(SolidRule, int, NONZERO_WINDING, SURFACE_ONLY);
   vtkGetMacro(SolidRule, int);
@@ -266,8 +267,8 @@ public:
   /**
    * The treatment of a mesh that TetGen cannot tetrahedralize. Without effect on contours.
    * - EXACT: TetGen is tried with two orders of the points and triangles. If M does not cross
-   *   itself, its triangles are recovered in a Delaunay tetrahedralization in between, or before if
-   *   that promises to be faster (see Strategy), with vertices off M where that is necessary. If M
+   *   itself, its triangles are recovered in a Delaunay tetrahedralization before, between or after
+   *   these attempts (see Strategy), with vertices off M where that is necessary. If M
    *   is closed, TetGen is then tried without the triangles that have solid on both sides, which no
    *   level shows. The next attempts add vertices on the triangles, at most 10 for each of M's own,
    *   plus 100,000, and may cut the parts of a triangle in another way. If all attempts fail, the
@@ -371,8 +372,8 @@ public:
    * means no limit on memory, and for time a limit in processor time that suffices for every mesh
    * that TetGen can tetrahedralize, so that the result does not depend on how busy the machine is.
    * In AUTO mode, all attempts at an exact tetrahedralization together get 10 seconds and 0.1
-   * milliseconds per triangle of processor time, or TimeLimit if that is more. In the portable
-   * build, the limit on memory has no effect.
+   * milliseconds per triangle of processor time, or TimeLimit if that is more; attempts at a
+   * snapped mesh get a quarter more. In the portable build, the limit on memory has no effect.
    *
    * Without a MemoryLimit, a mesh is refused if it needs more memory than the machine has. The need
    * is estimated from the numbers of vertices and triangles.

@@ -128,12 +128,12 @@
  * where it was installed, or through the environment variable TOPOLOGYCARVING_HELPER. Its result is
  * kept. The program runs again only after a change that could affect the result:
  * - the mesh, InitialApproximation, or for CUSTOM the mesh on port 1;
- * - Conformity, except from AUTO to EXACT if the mesh was not only enclosed and no attempt reached
- *   a limit;
+ * - Conformity, except from AUTO to EXACT if the mesh was neither snapped nor only enclosed, and no
+ *   attempt reached a limit;
  * - Strategy;
  * - EnclosingTolerance, if the mesh is only enclosed;
  * - SnapTolerance, if the mesh was snapped, or was only enclosed in AUTO mode;
- * - SolidRule, if the first attempts failed;
+ * - SolidRule, if the first attempts failed, or cracks were sealed;
  * - TimeLimit or MemoryLimit, except if raised where no attempt reached a limit.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the

@@ -118,6 +118,8 @@ template <int D>
 void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 {
   Run run;
+  run.Leaf = std::make_shared<DecomposedLeaf<D>>();
+  run.Leaf->Given = DataVersion(input); // by which the run is found, also after an error
   run.NumberOfPoints = input->GetNumberOfPoints();
   run.NumberOfCells = input->GetNumberOfCells();
   try
@@ -134,9 +136,7 @@ void DecomposedLeaves<D>::StartRun(vtkPolyData* input)
 template <int D>
 void DecomposedLeaves<D>::Start(vtkPolyData* input, Run& run)
 {
-  run.Leaf = std::make_shared<DecomposedLeaf<D>>();
   DecomposedLeaf<D>& leaf = *run.Leaf;
-  leaf.Given = DataVersion(input);
   leaf.GivenInitial = DataVersion(this->Initial);
   leaf.Settings = this->Settings;
   run.Error = leaf.Input.Gather(input);

@@ -19,8 +19,9 @@ bool AttemptsAlike(
   const bool unlimited = reply.Limits.empty(); // no attempt has reached a limit
   if (now.Conformity != before.Conformity)
   {
-    // EXACT makes the same attempts as AUTO, with higher limits.
-    if (enclosed || !unlimited || before.Conformity == Conformity::Enclosing ||
+    // EXACT makes the same attempts as AUTO, with higher limits: also on the number of crossings,
+    // beyond which AUTO snaps the mesh.
+    if (enclosed || snapped || !unlimited || before.Conformity == Conformity::Enclosing ||
       now.Conformity != Conformity::Exact)
     {
       return false;

@@ -89,8 +89,12 @@ std::vector<int> FindCoarsestSteps(const Profile& profile, const SimplifiedTarge
   // Where hollows open, later steps may be farther than earlier ones, whose walls are all on M.
   const auto first = std::find_if(profile.Error.begin(), profile.Error.end(),
     [&](double error) { return error <= target.Value; });
-  return { findStep(target.Value), findStep(farther * target.Value),
-    static_cast<int>(first - profile.Error.begin()) };
+  std::vector<int> steps = { findStep(target.Value), findStep(farther * target.Value) };
+  if (first != profile.Error.end())
+  {
+    steps.push_back(static_cast<int>(first - profile.Error.begin()));
+  }
+  return steps;
 }
 
 /** The steps before the last one that are decimated for a target at first, from fine to coarse. */

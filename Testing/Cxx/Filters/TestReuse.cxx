@@ -185,6 +185,19 @@ TEST(Reuse, TetrahedralizesAnEnclosedMeshAgain)
   EXPECT_FALSE(RunsAgain(soup, enclosing, [](auto* c) { c->SetSolidRule(c->EVEN_ODD); }));
 }
 
+// AUTO snaps a mesh on which too many triangles cross each other, EXACT resolves it.
+TEST(Reuse, TetrahedralizesASnappedMeshAgain)
+{
+  const carving::TriangleMesh box = models::PatchedBox({ 1, 1, 1 }, { 20, 20, 20, 20, 20, 20 });
+  const auto twoBoxes = ToPolyData(models::Joined(box, models::Moved(box, { 3e-13, 0, 0 })));
+  vtkNew<vtkTopologyCarver> carver;
+  Carve(carver, twoBoxes);
+  ASSERT_TRUE(LastLevel(carver)->GetFieldData()->HasArray("SnapDistance"));
+  carver->SetConformity(vtkTopologyCarver::EXACT);
+  carver->Update();
+  EXPECT_FALSE(LastLevel(carver)->GetFieldData()->HasArray("SnapDistance"));
+}
+
 // Facets that close the solid across cracks are not left where another rule has no solid.
 TEST(Reuse, DropsSealsWithTheSolid)
 {

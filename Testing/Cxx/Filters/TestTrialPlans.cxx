@@ -212,6 +212,21 @@ TEST(TrialPlans, StayNearABound)
   EXPECT_EQ(steps, (std::vector<int>{ 75, 80 }));
 }
 
+// Where all steps are farther than an error bound, only steps of the stream are tried.
+TEST(TrialPlans, EndAtTheLastStepWhereABoundIsOutOfReach)
+{
+  carving::Profile profile = TunnelAtEachStep();
+  for (double& error : profile.Error)
+  {
+    error += 100.0;
+  }
+  for (const LevelTrial& trial :
+    PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }, {}))
+  {
+    EXPECT_LE(trial.Step, LastStep);
+  }
+}
+
 // Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error
 // bound.
 TEST(TrialPlans, StartFromTheStepsThatTellMost)

@@ -30,7 +30,7 @@ public:
     return this->Bound;
   }
 
-  /** Returns false if the last bound was greater. Then it stays. */
+  /** Returns false if the last bound was as great. Then it stays. */
   bool Raise(double bound);
 
   /** Whether no new face of a star with w in the middle is farther. */

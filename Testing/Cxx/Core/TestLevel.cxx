@@ -120,15 +120,31 @@ TEST(Level, OrientsTheWallOfAVoidIntoIt)
     Canonical(small::Joined(small::OuterFaces(), small::Flipped(small::InnerFaces()))));
 }
 
-// The tetrahedron behind a carved face is the one that carving there would remove next.
+// The tetrahedron behind a carved face is the one that carving there would remove next: the face is
+// its face, and it is the only remaining tetrahedron that has this face.
 TEST(Level, NamesTheTetrahedronBehindACarvedFace)
 {
   const Tetrahedralization mesh = small::NestedTetrahedra(small::InnerFaces());
   const StoredStream<3> stream = small::StoreOneByOne(mesh);
-  for (const FaceLife<3>& face : ExtractLevel(stream, 3).Faces)
+  int carvedFaces = 0;
+  const Level<3> level = ExtractLevel(stream, 3);
+  for (const FaceLife<3>& face : level.Faces)
   {
-    EXPECT_GT(StepAt(stream, face.Behind), 3);
+    if (face.Constraint >= 0)
+    {
+      continue;
+    }
+    ++carvedFaces;
+    for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+    {
+      const auto& corners = mesh.Cells[cell];
+      const bool hasFace = std::all_of(face.Corners.begin(), face.Corners.end(),
+        [&](int p) { return std::find(corners.begin(), corners.end(), p) != corners.end(); });
+      const bool remains = StepAt(stream, HalfFace<3>::Of(cell, 0)) > 3;
+      EXPECT_EQ(cell == HalfFace<3>::Cell(face.Behind), hasFace && remains);
+    }
   }
+  EXPECT_GT(carvedFaces, 0);
 }
 
 // With both sides of folds, a triangle of M with the exterior on both sides appears with its copy.

@@ -122,8 +122,10 @@ TEST(Interior, IsUnknownOfOpenMeshes)
 {
   TriangleMesh open = OverlappingBoxes();
   open.Triangles.pop_back();
-  ResolvedMesh mesh = Resolved(open);
+  const ResolvedMesh given = Resolved(open);
+  ResolvedMesh mesh = given;
   EXPECT_EQ(DropInterior(SolidRule::NonzeroWinding, mesh), 0);
+  EXPECT_EQ(mesh.Facets, given.Facets);
 }
 
 // Where TetGen fails on the whole mesh, the next attempt is without the interior of the solid.

@@ -108,10 +108,18 @@ TEST(Orient, LeavesOpenPartsAlone)
   EXPECT_EQ(Oriented(boxes).SignedMultiplicities, given.SignedMultiplicities);
 }
 
-// Where three triangles share an edge, there is no telling which two belong together.
-TEST(Orient, DoesNotCrossEdgesOfThreeTriangles)
+// Where four triangles share an edge, there is no telling which two belong together: two closed
+// parts with a common edge stay as they are.
+TEST(Orient, DoesNotCrossEdgesOfFourTriangles)
 {
-  const TriangleMesh fins = { { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 } },
-    { { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 4 } } };
-  EXPECT_EQ(Oriented(fins).SignedMultiplicities, (std::vector<int>{ 1, 1, 1 }));
+  const TriangleMesh fan = { { { 0, 0, 0 }, { 0, 0, 1 }, { 1, -1, 0 }, { 1, 1, 0 }, { -1, 1, 0 },
+                               { -1, -1, 0 } },
+    { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 2, 3 }, { 1, 3, 2 }, //
+      { 0, 1, 4 }, { 1, 0, 5 }, { 0, 4, 5 }, { 1, 5, 4 } } };
+  TriangleMesh turned = fan;
+  std::swap(turned.Triangles[2][0], turned.Triangles[2][1]);
+  const ResolvedMesh given = Clean(AsResolved(turned));
+  EXPECT_EQ(Oriented(turned).SignedMultiplicities, given.SignedMultiplicities);
+  turned.Triangles.resize(4); // one part alone is oriented alike
+  EXPECT_NE(Oriented(turned).SignedMultiplicities, Clean(AsResolved(turned)).SignedMultiplicities);
 }

@@ -46,7 +46,7 @@ bool Carve(const carving::Decomposition<D>& mesh, const carving::Classification&
   options.Threads = settings.ThreadsOfLeaf;
   if (settings.DepthIsDistance)
   {
-    options.Depths = carving::MeasureDepths(mesh, settings.ThreadsOfLeaf);
+    options.Depths = carving::MeasureDepths(mesh, regions, settings.ThreadsOfLeaf);
   }
   return carving::Carve(mesh, regions, options, stream,
     [&stages](double fraction) { return stages.Report(CarveStage, fraction); });

@@ -36,20 +36,38 @@ std::vector<double> MeasureDistancesFrom(
   return distances;
 }
 
-/** The surface of the initial approximation: the faces of cells without a neighbor. */
+/**
+ * The surface of the initial approximation: the faces of cells without a neighbor. If the cells of
+ * the solid are not stored, those of them that lie on the surface are facets of M with the solid on
+ * one side and no cell on the other.
+ */
 template <int D>
-ResolvedInput<D> ExtractInitialSurface(const Decomposition<D>& mesh)
+ResolvedInput<D> ExtractInitialSurface(const Decomposition<D>& mesh, const Classification& regions)
 {
   ResolvedInput<D> surface;
   surface.Points = mesh.Surface.Points;
+  std::vector<char> hasCell(regions.SolidRegions.size(), 0);
   for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
   {
     for (int f = 0; f <= D; ++f)
     {
-      if (mesh.Neighbors[cell][f] < 0)
+      const int facet = hasCell.empty() ? -1 : mesh.Constraints.Get(cell, f);
+      if (facet >= 0)
+      {
+        hasCell[facet] = 1;
+      }
+      if (mesh.Neighbors[cell][f] == Outside)
       {
         surface.Facets.push_back(mesh.OutwardFace(cell, f));
       }
+    }
+  }
+  for (std::size_t facet = 0; facet < hasCell.size(); ++facet)
+  {
+    const auto [behind, inFront] = regions.SolidRegions[facet];
+    if (!hasCell[facet] && (behind < 0) != (inFront < 0))
+    {
+      surface.Facets.push_back(mesh.Surface.Facets[facet]);
     }
   }
   return surface;
@@ -64,10 +82,12 @@ std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads)
 }
 
 template <int D>
-std::vector<double> MeasureDepths(const Decomposition<D>& mesh, int threads)
+std::vector<double> MeasureDepths(
+  const Decomposition<D>& mesh, const Classification& regions, int threads)
 {
   const double smallest = 1e-9 * Diagonal(mesh.GetInput());
-  std::vector<double> depths = MeasureDistancesFrom<D>(ExtractInitialSurface(mesh), mesh, threads);
+  std::vector<double> depths =
+    MeasureDistancesFrom<D>(ExtractInitialSurface(mesh, regions), mesh, threads);
   for (double& depth : depths)
   {
     depth = std::max(depth, smallest);
@@ -77,7 +97,7 @@ std::vector<double> MeasureDepths(const Decomposition<D>& mesh, int threads)
 
 template std::vector<double> MeasureDistances<2>(const Decomposition<2>&, int);
 template std::vector<double> MeasureDistances<3>(const Decomposition<3>&, int);
-template std::vector<double> MeasureDepths<2>(const Decomposition<2>&, int);
-template std::vector<double> MeasureDepths<3>(const Decomposition<3>&, int);
+template std::vector<double> MeasureDepths<2>(const Decomposition<2>&, const Classification&, int);
+template std::vector<double> MeasureDepths<3>(const Decomposition<3>&, const Classification&, int);
 
 } // namespace carving

@@ -7,6 +7,7 @@
 #define carving_CellDistances_h
 
 #include "Core/Mesh/Mesh.h"
+#include "Core/Solid/Classification.h"
 
 #include <vector>
 
@@ -19,11 +20,12 @@ std::vector<double> MeasureDistances(const Decomposition<D>& mesh, int threads);
 
 /**
  * The depth of each cell as a distance (section 5.3): that of its centroid from the surface of the
- * initial approximation. The distance is at least a billionth of the points' diagonal, since
- * priorities are divided by it.
+ * initial approximation. The distance is at least a billionth of M's diagonal, since priorities are
+ * divided by it.
  */
 template <int D>
-std::vector<double> MeasureDepths(const Decomposition<D>& mesh, int threads);
+std::vector<double> MeasureDepths(
+  const Decomposition<D>& mesh, const Classification& regions, int threads);
 
 } // namespace carving
 

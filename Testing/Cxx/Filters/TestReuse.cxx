@@ -238,6 +238,8 @@ TEST(Reuse, GivesTheSameWithout)
     { ToPolyData(models::Torus(2.0, 0.8, 12, 8)),
       [](auto* c) { c->SetSolidRule(c->SURFACE_ONLY); } },
     { boxes, [](auto* c) { c->SetDepthMeasure(c->DISTANCE); } },
+    { ToPolyData(models::Torus(2.0, 0.8, 12, 8)),
+      [](auto* c) { c->SetDepthMeasure(c->DISTANCE); } },
     { Soup(), Nothing },
     { twice.Get(), Nothing },
   };

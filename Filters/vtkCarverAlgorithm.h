@@ -251,8 +251,9 @@ public:
    * - SURFACE_ONLY: none. The inside of a closed mesh is carved, too.
    *
    * Triangles are added across cracks that are narrower than a millionth of M's diagonal, through
-   * which the solid would be connected to the outside; then a note gives their number. Such cracks
-   * open where vertices lie on edges of other triangles and coordinates are rounded.
+   * which the solid would be connected to the outside; then a note gives their number. Where edges
+   * of tetrahedra pass through a crack, vertices are added in the crack. Such cracks open where
+   * vertices lie on edges of other triangles and coordinates are rounded.
    *
    * For a mesh that is open or inconsistently oriented, the first two rules may have to guess; then
    * a note says so. Seals of cracks depend on the rule, and so do further attempts at a

@@ -5,14 +5,17 @@
  * Protocol.h. The exit code is 0 if there is a reply, even one with an error, and 2 if there is
  * none.
  */
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/LargePages.h"
 #include "Core/Protocol/Protocol.h"
 #include "Core/Protocol/SecondsSince.h"
 #include "Core/Solid/Cracks.h"
 #include "Core/Solid/DropSolid.h"
+#include "Core/Solid/Winding.h"
 #include "Helper/Attempts/ChildProcess.h"
 #include "Helper/Attempts/Strategies.h"
 #include "Helper/Decimation/EnclosingDecimation.h"
+#include "Helper/Exact/CrackEdges.h"
 #include "Helper/HostLink.h"
 #include "Helper/MemoryPages.h"
 #include "Helper/Plane/InitialContour.h"
@@ -30,6 +33,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <utility>
 
 using namespace carving;
 using namespace carving::helper;
@@ -98,6 +102,29 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
+/** Adds the points that help to close cracks of M. An enclosing result stays as it is. */
+void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
+{
+  Tetrahedralization& result = reply.Result;
+  if (job.Solid == SolidRule::SurfaceOnly || !reply.Error.empty() || !result.Kept.empty() ||
+    IsClosed(result.Surface))
+  {
+    return;
+  }
+  reporter.Begin(Stage::Classify);
+  Tetrahedralization split;
+  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.Surface), split) > 0)
+  {
+    Tetrahedralization sealed = split;
+    if (SealCracks(sealed, job.Solid, job.Processes) > 0)
+    {
+      result = std::move(split);
+      reply.SolidMatters = 1;
+    }
+  }
+  reporter.End();
+}
+
 /** Drops the solid from a result if the job asks for that. An enclosing result stays whole. */
 void DropSolidOf(const Job& job, Reply& reply, Reporter& reporter)
 {
@@ -119,6 +146,7 @@ StrategyHost HostOf(
     [&](double fraction) { return reporter.Report(fraction); }, [&] { reporter.End(); },
     [&, write]
     {
+      PrepareCracksOf(job, reply, reporter);
       DropSolidOf(job, reply, reporter);
       return write();
     } };

@@ -28,7 +28,7 @@ ROOMS = {
     "Helper/Decimation": "Core/Mesh Core/Stream Core/Protocol Helper/Base Helper/Resolve Helper/Enclosing",
     "Helper/Plane": "Core/Mesh Core/Protocol Helper/Base",
     "Helper/Attempts": "Core/Mesh Core/Protocol Helper/Base Helper/Resolve Helper/Exact Helper/Recovery",
-    "Helper": "Core/Solid Core/Protocol Helper/Resolve Helper/Decimation Helper/Plane Helper/Attempts",
+    "Helper": "Core/Mesh Core/Solid Core/Protocol Helper/Resolve Helper/Exact Helper/Decimation Helper/Plane Helper/Attempts",
     "System": "",
     "Process": "Core/Protocol System",
     "Convert": "Core/Mesh Core/Stream Core/Surface Core/Measure",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Validity.h"
 #include "Core/Mesh/Vector.h"
@@ -8,6 +7,7 @@
 #include "HelperRun.h"
 #include "RandomModels.h"
 #include "Shapes.h"
+#include "SolidVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -16,23 +16,6 @@
 #include <random>
 
 using namespace carving;
-
-namespace
-{
-
-double VolumeOfSolid(const Tetrahedralization& mesh, const Classification& regions)
-{
-  double volume = 0.0;
-  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
-  {
-    const RegionKind kind = regions.Kind(cell);
-    const bool isInside = kind == RegionKind::Solid || kind == RegionKind::Kept;
-    volume += isInside ? Size(CornersOfCell(mesh, cell)) : 0.0;
-  }
-  return volume;
-}
-
-} // namespace
 
 // Boxes whose sides do not share edges keep their solid when they are turned and rounded, which
 // opens cracks along these edges; exactly and enclosed, by both rules, and inside out.

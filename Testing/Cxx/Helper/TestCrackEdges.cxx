@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/FacetTree.h"
+#include "Core/Mesh/Validity.h"
+#include "Core/Solid/Cracks.h"
+#include "Helper/Base/Kernels.h"
+#include "Helper/Exact/CrackEdges.h"
+#include "HelperRun.h"
+#include "RandomModels.h"
+#include "Shapes.h"
+#include "SolidVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace carving;
+using namespace carving::helper;
+
+namespace
+{
+
+TriangleMesh Torus()
+{
+  return models::Torus(1.0, 0.4, 12, 8);
+}
+
+/**
+ * A torus of two parts on both sides of a plane, one of which has been moved by a little. Planes not
+ * through its middle divide faces that two triangles share.
+ */
+TriangleMesh TorusInTwoParts(double step, double height, std::mt19937_64& random)
+{
+  std::uniform_real_distribution<double> along(-step, step);
+  const TriangleMesh torus = Torus();
+  TriangleMesh below = torus, above = torus;
+  above.Triangles.clear();
+  below.Triangles.clear();
+  for (const Triangle& t : torus.Triangles)
+  {
+    const double sum = torus.Points[t[0]][2] + torus.Points[t[1]][2] + torus.Points[t[2]][2];
+    (sum > 3.0 * height ? above : below).Triangles.push_back(t);
+  }
+  const Point move = { along(random), along(random), along(random) };
+  return models::Rotated(models::Joined(below, models::Moved(above, move)), random);
+}
+
+/** As the helper program makes it where there is no solid whose cracks could be closed. */
+Tetrahedralization Tetrahedralized(const TriangleMesh& mesh)
+{
+  Job job;
+  job.Mesh = mesh;
+  job.Conformity = Conformity::Auto;
+  job.Solid = SolidRule::SurfaceOnly;
+  return GetReply(job).Result;
+}
+
+double VolumeOfCells(const Tetrahedralization& mesh)
+{
+  double volume = 0.0;
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    volume += Size(CornersOfCell(mesh, cell));
+  }
+  return volume;
+}
+
+/** Exact. */
+int CountNotPositive(const Tetrahedralization& mesh)
+{
+  int count = 0;
+  for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+  {
+    const auto [a, b, c, d] = CornersOfCell(mesh, cell);
+    count +=
+      CGAL::orientation(ToInexact(a), ToInexact(b), ToInexact(c), ToInexact(d)) != CGAL::POSITIVE;
+  }
+  return count;
+}
+
+int SplitEdges(const Tetrahedralization& mesh, Tetrahedralization& split)
+{
+  return SplitEdgesThroughCracks(mesh, MostCrackWidth * Diagonal(mesh.Surface), split);
+}
+
+} // namespace
+
+// Where a part of a torus has been moved by less than the width of a crack, the solid is closed.
+TEST(CrackEdges, MakeRoomForSeals)
+{
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 12; ++i)
+  {
+    SCOPED_TRACE("torus " + std::to_string(i));
+    const TriangleMesh mesh =
+      TorusInTwoParts(std::array{ 1e-9, 1e-7, 4e-7 }[i % 3], i % 2 == 0 ? 0.0 : 0.1, random);
+    Job job;
+    job.Mesh = mesh;
+    job.Conformity = Conformity::Auto;
+    job.Solid = SolidRule::NonzeroWinding;
+    Tetrahedralization result = GetReply(job).Result;
+    EXPECT_EQ(FindMistake(result), "");
+    SealCracks(result, SolidRule::NonzeroWinding, 1);
+    const TriangleMesh torus = Torus();
+    EXPECT_NEAR(VolumeOfSolid(result, Classify(result)),
+      checks::SixVolume(torus.Points, torus.Triangles) / 6.0, 1e-4);
+  }
+}
+
+// Split tetrahedra fill the same space, positively oriented, and M consists of the same faces.
+TEST(CrackEdges, KeepTheMeshValid)
+{
+  std::mt19937_64 random(2);
+  int added = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    const Tetrahedralization mesh = Tetrahedralized(TorusInTwoParts(1e-7, 0.1, random));
+    Tetrahedralization split;
+    const int points = mesh.Kept.empty() ? SplitEdges(mesh, split) : 0;
+    if (points == 0)
+    {
+      continue;
+    }
+    added += points;
+    EXPECT_EQ(FindMistake(split), "");
+    EXPECT_EQ(CountNotPositive(split), 0);
+    EXPECT_NEAR(VolumeOfCells(split), VolumeOfCells(mesh), 1e-12);
+    EXPECT_EQ(split.Surface.Points.size(), mesh.Surface.Points.size() + points);
+    EXPECT_EQ(split.Surface.Facets, mesh.Surface.Facets);
+    EXPECT_EQ(checks::CountFaces(split), checks::CountFaces(mesh));
+  }
+  EXPECT_GT(added, 0);
+}
+
+// Nothing is split where there is no crack: closed, open, or with a slit that is wider.
+TEST(CrackEdges, AreOnlyThoseOfCracks)
+{
+  std::mt19937_64 random(3);
+  TriangleMesh bowl = Torus();
+  bowl.Triangles.resize(bowl.Triangles.size() / 2);
+  for (const TriangleMesh& mesh : { Torus(), bowl, TorusInTwoParts(1e-2, 0.1, random) })
+  {
+    Tetrahedralization split;
+    EXPECT_EQ(SplitEdges(Tetrahedralized(mesh), split), 0);
+  }
+}

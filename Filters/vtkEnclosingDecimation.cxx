@@ -149,8 +149,14 @@ int vtkEnclosingDecimation::RequestData(
     this->SetAbortExecute(0); // not every version of the pipeline resets the request
   }
   vtkMultiBlockDataSet* all = vtkMultiBlockDataSet::GetData(out, 1);
-  const bool good =
-    WithinMemory(this, "", [&] { return this->Decimate(vtkPolyData::GetData(in[0]), all); });
+  vtkPolyData* input = vtkPolyData::GetData(in[0]);
+  if (!input) // the pipeline does not check the blocks of composite data
+  {
+    vtkErrorMacro(
+      "A block without polygonal data cannot be decimated. Apply Extract Surface first.");
+    return 0;
+  }
+  const bool good = WithinMemory(this, "", [&] { return this->Decimate(input, all); });
   if (!good)
   {
     all->Initialize();

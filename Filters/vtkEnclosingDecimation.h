@@ -32,6 +32,9 @@
  *   and `Error`, the largest distance of any point of the surface from the input, which is at most
  *   1 % too large, or more where the surface lies on slivers of the input.
  *
+ * Of composite input, the pipeline decimates each block by itself: port 0 has the tree of the input,
+ * port 1 the surfaces of the last block alone.
+ *
  * A target below the number at which no further edge can collapse gives the coarsest surface
  * that was reached, and a warning. Tunnels need vertices, and so do thin gaps.
  *

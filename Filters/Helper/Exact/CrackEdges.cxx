@@ -2,17 +2,16 @@
 #include "Helper/Exact/CrackEdges.h"
 
 #include "Core/Mesh/Box.h"
-#include "Core/Mesh/CellGeometry.h"
 #include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Base/Kernels.h"
 #include "Helper/Base/SortedEdge.h"
+#include "Helper/Exact/EdgeSplitter.h"
 #include "Helper/Resolve/NearPairs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace carving::helper
 {
@@ -119,171 +118,8 @@ std::optional<Passage> FindPassage(
   return distance <= width ? std::optional<Passage>({ share, distance }) : std::nullopt;
 }
 
-/** Splits edges of a tetrahedralization. */
-class EdgeSplitter
-{
-public:
-  EdgeSplitter(Tetrahedralization& mesh, const Passages& passages, double width)
-    : Mesh(mesh)
-    , Width(width)
-  {
-    const int count = static_cast<int>(mesh.Cells.size());
-    for (int cell = 0; cell < count; ++cell)
-    {
-      this->Constraints.push_back(mesh.Constraints.Get(cell));
-      this->ForEachEdge(cell,
-        [&](const Edge& edge)
-        {
-          if (passages.count(edge) != 0)
-          {
-            this->CellsAround[edge].push_back(cell);
-          }
-        });
-    }
-  }
-
-  /** Splits an edge near a place. Returns whether that was possible. */
-  bool Split(const Edge& edge, const Passage& passage);
-
-  /** Hands the facets on which faces lie over to the mesh. */
-  void Finish()
-  {
-    this->Mesh.Constraints = FaceConstraints<3>(this->Constraints);
-  }
-
-private:
-  template <class Visit>
-  void ForEachEdge(int cell, const Visit& visit) const
-  {
-    const auto& c = this->Mesh.Cells[cell];
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int k = i + 1; k < 4; ++k)
-      {
-        visit(SortedEdge(c[i], c[k]));
-      }
-    }
-  }
-
-  int CornerOf(int cell, int point) const
-  {
-    const auto& c = this->Mesh.Cells[cell];
-    return static_cast<int>(std::find(c.begin(), c.end(), point) - c.begin());
-  }
-
-  bool MaySplitAt(const Edge& edge, const Point& p) const;
-  void SplitAt(const Edge& edge, int point);
-
-  Tetrahedralization& Mesh;
-  double Width;
-  std::vector<FaceConstraints<3>::Facets> Constraints; ///< per cell
-  std::map<Edge, std::vector<int>> CellsAround;        ///< of the edges to be split
-};
-
-bool EdgeSplitter::Split(const Edge& edge, const Passage& passage)
-{
-  // Rounding turns flat tetrahedra over at about every other place.
-  constexpr int places = 200;
-  std::vector<Point>& points = this->Mesh.Surface.Points;
-  const double room = 0.5 * this->Width / Length(points[edge[1]] - points[edge[0]]);
-  for (int i = 0; i < places; ++i)
-  {
-    const double offset = (i % 2 == 0 ? 0.5 : -0.5) * i / places;
-    const Point p = PointAt(points, edge, passage.Share + offset * room);
-    if (this->MaySplitAt(edge, p))
-    {
-      points.push_back(p);
-      this->Mesh.Surface.PointSources.push_back(-1);
-      this->SplitAt(edge, static_cast<int>(points.size()) - 1);
-      return true;
-    }
-  }
-  return false;
-}
-
-/** Whether both parts of each tetrahedron around an edge are positively oriented. */
-bool EdgeSplitter::MaySplitAt(const Edge& edge, const Point& p) const
-{
-  const std::vector<int>& ring = this->CellsAround.at(edge);
-  return std::all_of(ring.begin(), ring.end(),
-    [&](int cell)
-    {
-      return std::all_of(edge.begin(), edge.end(),
-        [&](int end)
-        {
-          auto corners = CornersOfCell(this->Mesh, cell);
-          corners[this->CornerOf(cell, end)] = p;
-          return CGAL::orientation(ToInexact(corners[0]), ToInexact(corners[1]),
-                   ToInexact(corners[2]), ToInexact(corners[3])) == CGAL::POSITIVE;
-        });
-    });
-}
-
-/** Each cell around an edge becomes the part at its lower end; the other parts are appended. */
-void EdgeSplitter::SplitAt(const Edge& edge, int point)
-{
-  const auto [a, b] = edge;
-  const std::vector<int> ring = this->CellsAround.at(edge);
-  const int first = static_cast<int>(this->Mesh.Cells.size());
-  const auto otherPart = [&](int cell)
-  {
-    const auto place = std::find(ring.begin(), ring.end(), cell);
-    return place == ring.end() ? cell : first + static_cast<int>(place - ring.begin());
-  };
-  for (const int lower : ring)
-  {
-    const int upper = static_cast<int>(this->Mesh.Cells.size());
-    const int atA = this->CornerOf(lower, a), atB = this->CornerOf(lower, b);
-    this->ForEachEdge(lower,
-      [&](const Edge& other)
-      {
-        const auto around = this->CellsAround.find(other);
-        const bool isOfA = other[0] == a || other[1] == a;
-        if (around == this->CellsAround.end() || isOfA)
-        {
-          return;
-        }
-        std::vector<int>& cells = around->second;
-        if (other[0] == b || other[1] == b)
-        {
-          std::replace(cells.begin(), cells.end(), lower, upper);
-        }
-        else
-        {
-          cells.push_back(upper);
-        }
-      });
-    this->Mesh.Cells.push_back(this->Mesh.Cells[lower]);
-    this->Mesh.Neighbors.push_back(this->Mesh.Neighbors[lower]);
-    this->Constraints.push_back(this->Constraints[lower]);
-    this->Mesh.Cells[lower][atB] = point;
-    this->Mesh.Cells[upper][atA] = point;
-    // The face at a's corner is beyond the upper part, and the other way round.
-    const int beyond = this->Mesh.Neighbors[lower][atA];
-    if (beyond >= 0)
-    {
-      auto& back = this->Mesh.Neighbors[beyond];
-      std::replace(back.begin(), back.end(), lower, upper);
-    }
-    this->Mesh.Neighbors[lower][atA] = upper;
-    this->Constraints[lower][atA] = -1;
-    this->Mesh.Neighbors[upper][atB] = lower;
-    this->Constraints[upper][atB] = -1;
-    for (int f = 0; f < 4; ++f)
-    {
-      int& neighbor = this->Mesh.Neighbors[upper][f];
-      if (f != atA && f != atB && neighbor >= 0)
-      {
-        neighbor = otherPart(neighbor);
-      }
-    }
-  }
-  this->CellsAround.erase(edge);
-}
-
-/** The edges that pass through cracks and are no edges of M. */
-Passages FindPassages(
-  const Tetrahedralization& mesh, const Edges& edgesOfM, const Edges& cracks, double width)
+/** The edges with points from `first` on that may pass through cracks, M's among them. */
+Edges FindCandidates(const Tetrahedralization& mesh, int first, const Edges& cracks, double width)
 {
   const std::vector<Point>& points = mesh.Surface.Points;
   const Point margin = { width, width, width };
@@ -304,8 +140,8 @@ Passages FindPassages(
       for (int k = i + 1; k < 4; ++k)
       {
         const Edge edge = SortedEdge(c[i], c[k]);
-        if (around.Overlaps(BoxAround(std::array{ points[edge[0]], points[edge[1]] })) &&
-          !std::binary_search(edgesOfM.begin(), edgesOfM.end(), edge))
+        if (edge[1] >= first &&
+          around.Overlaps(BoxAround(std::array{ points[edge[0]], points[edge[1]] })))
         {
           candidates.push_back(edge);
         }
@@ -313,12 +149,22 @@ Passages FindPassages(
     }
   }
   SortUnique(candidates);
+  return candidates;
+}
+
+/** Where edges with points from `first` on pass through cracks, except for edges of M. */
+Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& edgesOfM,
+  const Edges& cracks, double width)
+{
+  const std::vector<Point>& points = mesh.Surface.Points;
+  const Edges candidates = FindCandidates(mesh, first, cracks, width);
   Passages passages;
   VisitPairs(WidenedBoxes(points, candidates, 0.0), WidenedBoxes(points, cracks, width),
     [&](int i, int k)
     {
       const Edge& edge = candidates[i];
-      if (const std::optional<Passage> passage = FindPassage(points, edge, cracks[k], width))
+      const std::optional<Passage> passage = FindPassage(points, edge, cracks[k], width);
+      if (passage && !std::binary_search(edgesOfM.begin(), edgesOfM.end(), edge))
       {
         Passage& best = passages.try_emplace(edge, *passage).first->second;
         best = std::min(best, *passage,
@@ -340,20 +186,24 @@ int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrah
     return 0;
   }
   int added = 0;
-  Passages passages = FindPassages(mesh, edges, cracks, width);
+  Passages passages = FindPassages(mesh, 0, edges, cracks, width);
   for (int round = 0; round < rounds && !passages.empty(); ++round)
   {
     if (round == 0)
     {
       split = mesh;
     }
-    EdgeSplitter splitter(split, passages, width);
+    const int first = static_cast<int>(split.Surface.Points.size());
+    Edges passing;
+    std::transform(passages.begin(), passages.end(), std::back_inserter(passing),
+      [](const auto& entry) { return entry.first; });
+    EdgeSplitter splitter(passing, split);
     for (const auto& [edge, passage] : passages)
     {
-      added += splitter.Split(edge, passage);
+      added += splitter.Split(edge, passage.Share, 0.25 * width);
     }
     splitter.Finish();
-    passages = FindPassages(split, edges, cracks, width);
+    passages = FindPassages(split, first, edges, cracks, width);
   }
   return added;
 }

@@ -10,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkEnclosingDecimation.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -209,6 +210,19 @@ TEST(EnclosingDecimation, RefusesWhatIsNoClosedSurface)
   filter->Update();
   EXPECT_EQ(messages.Errors.size(), 4u);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 642);
+}
+
+// A block of composite input that is not polygonal is an error.
+TEST(EnclosingDecimation, RefusesBlocksThatAreNotPolygonal)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkImageData>());
+  vtkNew<vtkEnclosingDecimation> filter;
+  Messages messages(filter);
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  ASSERT_FALSE(messages.Errors.empty());
+  EXPECT_NE(messages.Errors.front().find("without polygonal data"), std::string::npos);
 }
 
 // A second run of the helper program, which only makes surfaces tighter, may fail.

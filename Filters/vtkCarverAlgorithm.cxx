@@ -23,7 +23,6 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace

@@ -83,10 +83,10 @@ bool HasReached(const carving::DecimatedSurface& surface, const carving::Simplif
 bool HasStuck(const LevelTrial& trial, const carving::SimplifiedTarget& target);
 
 /**
- * The trials that have a surface for a target, from good to bad, each with its surface for this
- * number, or for a smaller one if that is clearly closer to M, or for any error bound. Those that
- * reach a number come first, the closest to M before all. For an error bound, those within it come
- * first, with the fewest vertices before all; the closest of the others follows.
+ * The trials with a surface for a target, best first, one surface per trial. A surface for a
+ * smaller number counts if it is clearly closer to M; for an error bound, any surface counts.
+ * Surfaces that reach a number come first, and among them the closest to M. Within an error bound,
+ * the surface with the fewest vertices is best; beyond the bound, the closest.
  */
 std::vector<BestTrial> RankTrials(
   const std::vector<LevelTrial>& trials, const carving::SimplifiedTarget& target);
@@ -105,11 +105,10 @@ std::vector<BestTrial> ChooseTrials(
   const std::vector<LevelTrial>& trials, const std::vector<carving::SimplifiedTarget>& targets);
 
 /**
- * Drops the numbers of a trial for which an earlier step would hardly be closer than the last one.
- * These are the numbers whose result neither the topology of the last step nor its pits keep far
- * from M, and all finer ones: only the details of M need more vertices. `diagonal` is that of M.
- * Numbers from `own` on, that of the earlier step itself, stay, since a trial without collapses
- * takes no time.
+ * Drops the numbers that the last step has reached well: there, only the details of M need more
+ * vertices, and an earlier step would hardly be closer. Finer numbers are dropped, too. `diagonal`
+ * is that of M. Numbers from `own` on, that of the earlier step itself, stay, since a trial
+ * without collapses takes no time.
  */
 void DropTargetsOfLastStep(
   const std::vector<LevelTrial>& trials, double diagonal, double own, LevelTrial& trial);

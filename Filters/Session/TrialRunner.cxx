@@ -24,7 +24,7 @@ const carving::ResolvedMesh& GetMesh(
   return unresolved.Facets.empty() ? stream.Mesh.Surface : unresolved;
 }
 
-/** A step whose distance from M is more than this share of a result's hardly ever beats it. */
+/** A step farther from M than this share of the best result's distance seldom beats that result. */
 constexpr double Hope = 0.9;
 
 /**

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace carving

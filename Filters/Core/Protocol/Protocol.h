@@ -51,7 +51,7 @@ constexpr const char* NothingToCarve =
 /** The options of JobKind::Decimate. */
 struct DecimationOptions
 {
-  /** A surface of at most so many vertices is decimated in about a second. More steps are tried. */
+  /** Decimating a surface of so few vertices takes about a second, so that more steps are tried. */
   static constexpr int FewVertices = 5000;
   /**
    * A surface of more vertices is close to the mesh. Measuring distances and moving vertices after
@@ -63,9 +63,9 @@ struct DecimationOptions
   /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */
   std::vector<double> Targets;
   /**
-   * Per number, if there are any: no collapse before it may make a face that is farther from the
-   * mesh. They never fall. A search from below finds the least bound that leads to the number. A
-   * number is given up where there is no hope for it.
+   * Per number, the largest distance from the mesh that a new face may have, in ascending order.
+   * Empty: no bounds. A search from below finds the least bound that leads to the number. A number
+   * is given up where there is no hope for it.
    */
   std::vector<double> Bounds;
   /**

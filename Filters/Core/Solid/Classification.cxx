@@ -6,7 +6,6 @@
 #include "Core/Solid/RayCrossings.h"
 #include "Core/Solid/RegionGraph.h"
 #include "Core/Solid/RegionWindings.h"
-#include "Core/Solid/Winding.h"
 
 #include <cmath>
 #include <functional>

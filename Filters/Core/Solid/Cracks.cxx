@@ -61,8 +61,8 @@ void AddFacets(Tetrahedralization& mesh, const std::vector<CellFace>& faces)
 }
 
 /**
- * Leaves those regions marked as Void for which the rule is asked: thick parts of regions that are
- * connected to the outside as long as nothing divides them. Returns whether there are any.
+ * Leaves the mark Void only on regions that the rule decides: thick ones that thin faces enclose,
+ * but M does not. The other enclosed regions are marked Kept. Returns whether the rule decides any.
  */
 bool MarkAsked(
   const Classification& undivided, const std::vector<char>& thick, Classification& regions)
@@ -139,7 +139,7 @@ private:
   const Classification& Regions;
   const std::vector<char>& Thick;
   DisjointSets Sets;
-  std::vector<char> Open; ///< per first region of a set: whether not only the solid touches it
+  std::vector<char> Open; ///< per first region of a set: whether anything but the solid touches it
 };
 
 /** Removes the facets from `count` on. */
@@ -171,8 +171,8 @@ void CopySources(std::size_t first, int otherSource, ResolvedMesh& surface)
 }
 
 /**
- * Per seal: whether it is a part of a patch that is on average wider than a crack. Across a hole
- * whose rim has edges shorter than that, all faces can be thin.
+ * Per seal: whether its patch is wider than a crack on average. Across a hole whose rim has edges
+ * shorter than a crack is wide, every face may be thin.
  */
 std::vector<char> FindWideSeals(
   const Tetrahedralization& mesh, const std::vector<Seal>& seals, double width)

@@ -18,10 +18,11 @@ namespace carving
 constexpr double MostCrackWidth = 1e-6;
 
 /**
- * Adds facets to M across cracks through which its solid would be connected to the outside. They
- * are faces of cells that are no wider than a crack, and separate solid regions from others. A patch
- * of them is no wider on average. Each facet takes over the source of one that it touches. Returns
- * their number. Several threads measure winding numbers.
+ * Closes the cracks through which M's solid would be connected to the outside, with facets that
+ * are added to M ("seals"). A seal is a face of a cell, at most as wide as a crack, between a
+ * solid region and another one. A patch of seals is on average no wider than a crack. Each seal
+ * takes over the source of a facet that it touches. Returns the number of seals. Several threads
+ * measure winding numbers.
  */
 int SealCracks(Tetrahedralization& mesh, SolidRule rule, int threads);
 

@@ -114,7 +114,7 @@ bool ExactAttempts::TryExact()
   }
   const auto tryRecovery = [this]
   { return this->MayRecover() && this->TryRecovery(RecoveryEffort::Much); };
-  // TetGen comes to its end on most meshes of which another order loses no triangle.
+  // Where TetGen ended by itself but lost triangles, another order mostly loses none.
   const bool recoverFirst = !this->HasFinished;
   return (recoverFirst && tryRecovery()) ||
     this->TryOrders("TetGen -pcY", 1, NumberOfOrders, SurfacePoints::None) ||

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace carving::helper
 {

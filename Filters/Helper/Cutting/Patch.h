@@ -8,7 +8,6 @@
 
 #include "Helper/Cutting/CutMesh.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace carving::helper

@@ -53,8 +53,9 @@ ResolvedMesh JoinMeshes(const TriangleMesh& mesh, const TriangleMesh& parts)
 }
 
 /**
- * Lowers the errors of a surface that was M at first to what is known of them. Distances below a
- * millionth of the diagonal are not measured exactly, but no collapse exceeds an error bound.
+ * Lowers the measured errors of a surface that was M at first to known ones: without a collapse,
+ * the surface is M itself, and no collapse exceeds its error bound. Measured distances below a
+ * millionth of the diagonal are too large.
  */
 void LowerErrors(const DecimationOptions& options, std::vector<DecimatedSurface>& results)
 {

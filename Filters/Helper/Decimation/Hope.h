@@ -12,8 +12,8 @@ namespace carving::helper
 {
 
 /**
- * Once no edge collapses well, a surface with more vertices than this factor of its target seldom
- * gets to the target, and a bounded one never does.
+ * With more vertices than this multiple of its target, a surface whose edges no longer collapse
+ * well seldom reaches the target, and never within a bound.
  */
 constexpr double MostAboveTarget = 1.1;
 

@@ -15,12 +15,15 @@ namespace
 {
 
 /**
- * A surface within an error bound that has more vertices hardly loses one in two hundred of them by
- * positions that fit less well. These positions take a third of the time.
+ * Above so many vertices, the positions that fit less well remove hardly one vertex in two hundred
+ * within an error bound, for a third of the time.
  */
 constexpr double MostToTryHarder = 2000.0;
 
-/** The same for the greatest bound, after which there is no other way to reach a number. */
+/**
+ * At the greatest bound, there is no other way to reach a number: these positions are tried up to
+ * this multiple of the number.
+ */
 constexpr double MostAboveTargetAtLast = 1.6;
 
 /** Each later round would gain little. */

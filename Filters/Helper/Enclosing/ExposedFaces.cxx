@@ -58,7 +58,7 @@ std::vector<Point> Sample(const std::vector<Corners>& faces, double spacing)
   return samples;
 }
 
-/** The least of some values that so large a share of them does not exceed; 0 without values. */
+/** The least value that is not below this share of the values; 0 without values. */
 double FindPercentile(std::vector<double> values, double share)
 {
   if (values.empty())

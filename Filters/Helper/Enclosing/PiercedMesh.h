@@ -77,7 +77,7 @@ public:
   void TakeParts(const std::vector<int>& parts);
 
   /**
-   * Records which parts are beyond needles of the hull, as piercing the tetrahedra below. Elsewhere,
+   * Marks the tetrahedra below needles of the hull as pierced by the parts beyond them. Elsewhere,
    * parts that are faces count as piercing nothing. To be called once the mesh no longer changes.
    */
   void PierceBelowNeedles();

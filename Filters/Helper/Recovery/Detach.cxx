@@ -20,8 +20,8 @@ using Cell = PiercedMesh::Cell;
 using Vertex = PiercedMesh::Vertex;
 
 /**
- * Whether a border has no edge of its own. It has some if rounding has put the vertex at a corner
- * of three triangles of M, of which none continues another.
+ * Whether each edge of a border belongs to two of its triangles. The border is open if rounding has
+ * put the vertex at a corner of three triangles of M, of which none continues another.
  */
 bool IsClosed(const Border& border)
 {

@@ -163,7 +163,7 @@ std::vector<std::vector<EdgeChains::Place>> EdgeChains::FindCrossings(
   return places;
 }
 
-/** Divides all edges that have any of the given parts at the places on these parts. */
+/** Divides edges at places that are given on their parts. */
 void EdgeChains::Insert(const EdgeList& parts, std::vector<std::vector<Place>> places)
 {
   for (std::vector<Place>& of : places)

@@ -21,7 +21,7 @@ struct Pair
   bool AreAlike; ///< oriented alike
 };
 
-/** All pairs; none if all of them are oriented alike. */
+/** All pairs, or none if no triangle has to be turned. */
 std::vector<Pair> FindPairsUnlessAlike(const ResolvedMesh& mesh)
 {
   std::vector<Pair> pairs;

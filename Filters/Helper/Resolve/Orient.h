@@ -8,12 +8,11 @@ namespace carving::helper
 {
 
 /**
- * Orients the triangles of closed parts alike, since winding numbers would make no sense of some
- * turned ones. Two triangles belong to a part if they share an edge which no other triangle has. Of
- * the triangles of a part, those of one orientation that have less area are turned: their signed
- * multiplicities change sign. A part stays as it is if it is open, since two parts that touch can
- * share edges where neither is closed, and if it has one side. The mesh has to be clean. Not in the
- * paper.
+ * Orients the triangles of closed parts alike: winding numbers are meaningless where some
+ * triangles are turned. Two triangles belong to a part if they share an edge that no other
+ * triangle has. The orientation with less area in a part is turned: the signed multiplicities
+ * change sign. A part stays as it is if it is open, since two parts that touch can share edges
+ * where neither is closed, and if it has one side. The mesh has to be clean. Not in the paper.
  */
 void OrientAlike(ResolvedMesh& mesh);
 

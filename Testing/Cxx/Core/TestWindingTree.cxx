@@ -60,7 +60,7 @@ TEST(WindingTree, ComesCloseToTheSumOverAllTriangles)
   }
 }
 
-// The smaller the triangles are for their number, the less they know of each other: no sum drifts.
+// The error does not grow with the number of triangles.
 TEST(WindingTree, StaysCloseForAFineMesh)
 {
   std::mt19937 random(4);

@@ -133,7 +133,7 @@
  * - Strategy;
  * - EnclosingTolerance, if the mesh is only enclosed;
  * - SnapTolerance, if the mesh was snapped, or was only enclosed in AUTO mode;
- * - SolidRule, if the first attempts failed, or cracks were sealed;
+ * - SolidRule, if the first attempts failed, or M has cracks;
  * - TimeLimit or MemoryLimit, except if raised where no attempt reached a limit.
  *
  * **Composite input**: the outputs are vtkMultiBlockDataSets with the tree and the names of the

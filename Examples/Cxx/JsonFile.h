@@ -2,7 +2,6 @@
 #ifndef JsonFile_h
 #define JsonFile_h
 
-
 struct Options;
 struct Report;
 

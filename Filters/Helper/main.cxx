@@ -102,12 +102,11 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
-/** Adds the points that help to close cracks of M. An enclosing result stays as it is. */
+/** Adds points that help to close cracks of M by the rule. An enclosing result stays as it is. */
 void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
 {
   Tetrahedralization& result = reply.Result;
-  if (job.Solid == SolidRule::SurfaceOnly || !reply.Error.empty() || !result.Kept.empty() ||
-    IsClosed(result.Surface))
+  if (!reply.Error.empty() || !result.Kept.empty() || IsClosed(result.Surface))
   {
     return;
   }
@@ -115,11 +114,11 @@ void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
   Tetrahedralization split;
   if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.Surface), split) > 0)
   {
+    reply.SolidMatters = 1; // another rule may close other cracks, or none
     Tetrahedralization sealed = split;
     if (SealCracks(sealed, job.Solid, job.Processes) > 0)
     {
       result = std::move(split);
-      reply.SolidMatters = 1;
     }
   }
   reporter.End();

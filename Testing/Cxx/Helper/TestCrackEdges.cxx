@@ -21,31 +21,6 @@ using namespace carving::helper;
 namespace
 {
 
-TriangleMesh Torus()
-{
-  return models::Torus(1.0, 0.4, 12, 8);
-}
-
-/**
- * A torus of two parts on both sides of a plane, one of which has been moved by a little. Planes not
- * through its middle divide faces that two triangles share.
- */
-TriangleMesh TorusInTwoParts(double step, double height, std::mt19937_64& random)
-{
-  std::uniform_real_distribution<double> along(-step, step);
-  const TriangleMesh torus = Torus();
-  TriangleMesh below = torus, above = torus;
-  above.Triangles.clear();
-  below.Triangles.clear();
-  for (const Triangle& t : torus.Triangles)
-  {
-    const double sum = torus.Points[t[0]][2] + torus.Points[t[1]][2] + torus.Points[t[2]][2];
-    (sum > 3.0 * height ? above : below).Triangles.push_back(t);
-  }
-  const Point move = { along(random), along(random), along(random) };
-  return models::Rotated(models::Joined(below, models::Moved(above, move)), random);
-}
-
 /** As the helper program makes it where there is no solid whose cracks could be closed. */
 Tetrahedralization Tetrahedralized(const TriangleMesh& mesh)
 {
@@ -93,8 +68,8 @@ TEST(CrackEdges, MakeRoomForSeals)
   for (int i = 0; i < 12; ++i)
   {
     SCOPED_TRACE("torus " + std::to_string(i));
-    const TriangleMesh mesh =
-      TorusInTwoParts(std::array{ 1e-9, 1e-7, 4e-7 }[i % 3], i % 2 == 0 ? 0.0 : 0.1, random);
+    const TriangleMesh mesh = models::TorusInTwoParts(
+      std::array{ 1e-9, 1e-7, 4e-7 }[i % 3], i % 2 == 0 ? 0.0 : 0.1, random);
     Job job;
     job.Mesh = mesh;
     job.Conformity = Conformity::Auto;
@@ -102,7 +77,7 @@ TEST(CrackEdges, MakeRoomForSeals)
     Tetrahedralization result = GetReply(job).Result;
     EXPECT_EQ(FindMistake(result), "");
     SealCracks(result, SolidRule::NonzeroWinding, 1);
-    const TriangleMesh torus = Torus();
+    const TriangleMesh torus = models::Torus(1.0, 0.4, 12, 8);
     EXPECT_NEAR(VolumeOfSolid(result, Classify(result)),
       checks::SixVolume(torus.Points, torus.Triangles) / 6.0, 1e-4);
   }
@@ -115,7 +90,7 @@ TEST(CrackEdges, KeepTheMeshValid)
   int added = 0;
   for (int i = 0; i < 12; ++i)
   {
-    const Tetrahedralization mesh = Tetrahedralized(TorusInTwoParts(1e-7, 0.1, random));
+    const Tetrahedralization mesh = Tetrahedralized(models::TorusInTwoParts(1e-7, 0.1, random));
     Tetrahedralization split;
     const int points = mesh.Kept.empty() ? SplitEdges(mesh, split) : 0;
     if (points == 0)
@@ -137,9 +112,10 @@ TEST(CrackEdges, KeepTheMeshValid)
 TEST(CrackEdges, AreOnlyThoseOfCracks)
 {
   std::mt19937_64 random(3);
-  TriangleMesh bowl = Torus();
+  TriangleMesh bowl = models::Torus(1.0, 0.4, 12, 8);
   bowl.Triangles.resize(bowl.Triangles.size() / 2);
-  for (const TriangleMesh& mesh : { Torus(), bowl, TorusInTwoParts(1e-2, 0.1, random) })
+  for (const TriangleMesh& mesh :
+    { models::Torus(1.0, 0.4, 12, 8), bowl, models::TorusInTwoParts(1e-2, 0.1, random) })
   {
     Tetrahedralization split;
     EXPECT_EQ(SplitEdges(Tetrahedralized(mesh), split), 0);

@@ -100,6 +100,17 @@ TEST(CarverNotes, SaysThatCracksWereSealed)
   EXPECT_NEAR(mass->GetVolume(), 6.0, 1e-5);
 }
 
+// Joining what touches within a large tolerance can move points farther than that, from one to the
+// next. Then it is not used, and a note says so.
+TEST(CarverNotes, SaysThatPointsWouldMoveTooFar)
+{
+  const carving::TriangleMesh box = models::PatchedBox({ 1, 1, 1 }, { 20, 20, 20, 20, 20, 20 });
+  vtkNew<vtkTopologyCarver> carver;
+  carver->SetSnapTolerance(0.5);
+  Carve(carver, ToPolyData(models::Joined(box, models::Moved(box, { 3e-13, 0, 0 }))));
+  EXPECT_TRUE(Has(GetNotes(carver), "points move farther than SnapTolerance")) << GetNotes(carver);
+}
+
 // If a limit ended an attempt, a note names the limit.
 TEST(CarverNotes, NamesTheLimit)
 {

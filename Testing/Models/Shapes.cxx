@@ -160,6 +160,26 @@ TriangleMesh Sheet(int n)
   return mesh;
 }
 
+TriangleMesh Prism(int sides, double from, double to)
+{
+  TriangleMesh mesh;
+  for (int i = 0; i < sides; ++i)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * i / sides;
+    const int next = (i + 1) % sides;
+    mesh.Points.push_back({ std::cos(angle), std::sin(angle), from });
+    mesh.Points.push_back({ std::cos(angle), std::sin(angle), to });
+    mesh.Triangles.push_back({ 2 * i, 2 * next, 2 * next + 1 });
+    mesh.Triangles.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
+  }
+  for (int i = 1; i + 1 < sides; ++i)
+  {
+    mesh.Triangles.push_back({ 0, 2 * i + 2, 2 * i });
+    mesh.Triangles.push_back({ 1, 2 * i + 1, 2 * i + 3 });
+  }
+  return mesh;
+}
+
 TriangleMesh PatchedBox(const Point& size, const std::array<int, 6>& n)
 {
   TriangleMesh mesh;

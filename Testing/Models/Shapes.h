@@ -18,6 +18,8 @@ TriangleMesh Tetrahedron();
 TriangleMesh Box(const carving::Point& lower, const carving::Point& upper);
 /** A unit sphere: an icosahedron whose triangles are split into four, `subdivisions` times. */
 TriangleMesh Sphere(int subdivisions);
+/** A prism of radius 1 along the z axis. */
+TriangleMesh Prism(int sides, double from, double to);
 /** Three spheres, one in the other, much closer to each other than their points. */
 TriangleMesh CloseSpheres();
 /** A torus around the z axis: n x m quadrilaterals, split in two. */

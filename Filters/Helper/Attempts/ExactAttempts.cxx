@@ -5,6 +5,7 @@
 #include "Core/Protocol/SecondsSince.h"
 #include "Helper/Exact/InitialSurface.h"
 #include "Helper/Exact/Tetrahedralize.h"
+#include "Helper/Recovery/FlatParts.h"
 #include "Helper/Recovery/NearDelaunay.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Interior.h"
@@ -164,7 +165,7 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
   return false;
 }
 
-/** Tries M with parts that touch but for rounding made to touch, and with all points moved. */
+/** Tries M with other triangles, with parts joined that touch but for rounding, and rounded. */
 bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
@@ -176,7 +177,38 @@ bool ExactAttempts::TrySnapped()
   const auto round = [&]
   { return attempt(GridSpacing(tolerance), Snap, "Snapping on a grid of "); };
   // Where exact resolving has come to its end, parts seldom touch but for rounding.
-  return this->Resolved.Get().empty() ? join() || round() : round() || join();
+  return this->Resolved.Get().empty()
+    ? join() || round()
+    : this->TryDelaunayFaces(given, tolerance) || round() || join();
+}
+
+/** Tries the resolved M with flat parts triangulated as in the Delaunay tetrahedralization. */
+bool ExactAttempts::TryDelaunayFaces(const ResolvedMesh& given, double tolerance)
+{
+  if (this->TheJob.Strategy == Strategy::TetGen)
+  {
+    return false;
+  }
+  this->Host.Begin(Stage::Resolve);
+  ResolvedMesh& surface = this->TheReply.Result.Surface;
+  surface = given;
+  const std::string mistake = Resolve(surface, this->TheReply.IntersectingPairs, this->Host.Report);
+  FlattenedMesh flattened;
+  if (mistake.empty())
+  {
+    flattened = AdoptDelaunayFaces(
+      surface, this->FurtherPoints(surface.Points), tolerance, this->TheJob.Processes);
+  }
+  this->Host.End();
+  if (flattened.Changed == 0 || flattened.Distance > tolerance)
+  {
+    return false;
+  }
+  surface = std::move(flattened.Mesh);
+  this->TheReply.SnapDistance = flattened.Distance;
+  return this->TryRecovery(RecoveryEffort::Little) || // more would leave no time for other ways
+    (this->TheJob.Strategy == Strategy::Auto &&
+      this->TryOrder("TetGen -pcY, snapped", 0, SurfacePoints::None));
 }
 
 /** Tries ever finer steps of one way to move points. */

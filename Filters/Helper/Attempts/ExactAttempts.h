@@ -28,6 +28,7 @@ protected:
 private:
   bool MayRecover() const;
   bool TryFirst(const std::function<bool()>& isResolved = {});
+  bool TryDelaunayFaces(const ResolvedMesh& given, double tolerance);
   bool TryWithoutInterior();
   bool TrySnapped(const ResolvedMesh& given, double tolerance, double coarsest, Snapping* snap,
     const std::string& what);

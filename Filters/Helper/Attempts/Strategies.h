@@ -32,8 +32,9 @@ struct StrategyHost
  *    points and triangles alone, another order follows; so do recovery in a Delaunay
  *    tetrahedralization (first, if TetGen has crashed or taken too long), M without the triangles
  *    inside the solid, and M with points added on its triangles.
- * 2. TetGen on M with the parts joined that touch but for rounding, and on M with its points
- *    rounded to a grid, if the job has a SnapTolerance and C0 is not given.
+ * 2. If the job has a SnapTolerance and C0 is not given, recovery and TetGen on M with other
+ *    triangles in flat parts; TetGen on M with the parts joined that touch but for rounding, and on
+ *    M with its points rounded to a grid.
  * 3. The enclosing Delaunay tetrahedralization, which always succeeds, unless the job's conformity
  *    is Exact or C0 is given.
  *

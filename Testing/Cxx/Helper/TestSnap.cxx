@@ -54,27 +54,6 @@ TriangleMesh FlushPlates()
     models::Box({ -0.3, -1.0, 0.0 }, { 0.3, 1.0, 0.1 }));
 }
 
-/** A prism of radius 1 along the z axis. */
-TriangleMesh Prism(int sides, double from, double to)
-{
-  TriangleMesh mesh;
-  for (int i = 0; i < sides; ++i)
-  {
-    const double angle = 2.0 * std::acos(-1.0) * i / sides;
-    const int next = (i + 1) % sides;
-    mesh.Points.push_back({ std::cos(angle), std::sin(angle), from });
-    mesh.Points.push_back({ std::cos(angle), std::sin(angle), to });
-    mesh.Triangles.push_back({ 2 * i, 2 * next, 2 * next + 1 });
-    mesh.Triangles.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
-  }
-  for (int i = 1; i + 1 < sides; ++i)
-  {
-    mesh.Triangles.push_back({ 0, 2 * i + 2, 2 * i });
-    mesh.Triangles.push_back({ 1, 2 * i + 1, 2 * i + 3 });
-  }
-  return mesh;
-}
-
 /** The same mesh with its points in another order, which begins with the given one. */
 TriangleMesh BeginningWith(int first, TriangleMesh mesh)
 {
@@ -224,8 +203,8 @@ TEST(SnapTouching, ResolvesFlushWallsInManyDirections)
   {
     const int sides = 3 + static_cast<int>(random() % 20);
     const auto [from, to] = std::minmax({ height(random), height(random) });
-    const TriangleMesh prisms =
-      models::Rotated(models::Joined(Prism(sides, 0.0, 2.0), Prism(sides, from, to)), random);
+    const TriangleMesh prisms = models::Rotated(
+      models::Joined(models::Prism(sides, 0.0, 2.0), models::Prism(sides, from, to)), random);
     const double angle = 2.0 * std::acos(-1.0) / sides;
     const double end = sides * std::sin(angle) / 2.0, side = 2.0 * std::sin(angle / 2.0);
     ExpectResolved(prisms, 4.0 * end + sides * side * 2.0);

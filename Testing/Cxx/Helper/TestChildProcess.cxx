@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <new>
 #include <sched.h>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -21,8 +20,6 @@ namespace
 const ChildWork Succeed("succeed", [] { return true; });
 const ChildWork Fail("fail", [] { return false; });
 const ChildWork Throw("throw", []() -> bool { throw std::bad_alloc(); });
-const ChildWork ThrowLengthError(
-  "throw length error", []() -> bool { throw std::length_error("too long"); });
 const ChildWork Fault("fault", [] { return std::raise(SIGSEGV) != 0; });
 const ChildWork Abort("abort", []() -> bool { std::abort(); });
 const ChildWork Sleep("sleep",
@@ -244,20 +241,6 @@ TEST_F(ChildProcess, IsKilledWhereItsParentThrows)
   const auto runOut = []() -> bool { throw std::bad_alloc(); };
   EXPECT_THROW(RunInChildProcess({}, Hang.Get(), runOut), std::bad_alloc);
   EXPECT_EQ(waitpid(-1, nullptr, 0), -1);
-}
-
-// An exception in a child ends that child alone, not the one beside it.
-TEST_F(ChildProcess, EndsAtAnException)
-{
-  std::string end;
-  const auto failMeanwhile = [&end]
-  {
-    end = EndOf({}, ThrowLengthError);
-    return true;
-  };
-  const Ending other = RunInChildProcess({}, Sleep.Get(), failMeanwhile);
-  EXPECT_NE(end.find("crashed"), std::string::npos) << end;
-  EXPECT_EQ(other.Mistake, "");
 }
 
 // The time of a child that is not wanted is not charged to its parent.

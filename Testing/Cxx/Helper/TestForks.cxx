@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,6 +41,14 @@ const ChildWork IgnoreSignals("ignore signals",
     return EndOf(ByClock(0.2), Hang) == "took longer than 0.2 s" &&
       EndOf(ByProcessor(0.2), ComputeForever) == "took longer than 0.2 s of processor time";
   });
+const ChildWork ThrowLengthError(
+  "throw length error", []() -> bool { throw std::length_error("too long"); });
+const ChildWork SleepShortly("sleep shortly",
+  []
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    return true;
+  });
 const ChildWork StartNoChild("start no child",
   []
   {
@@ -54,6 +63,20 @@ const ChildWork StartNoChild("start no child",
   });
 
 } // namespace
+
+// An exception in a child ends that child alone, not the one beside it.
+TEST_F(ChildProcess, EndsAtAnException)
+{
+  std::string end;
+  const auto failMeanwhile = [&end]
+  {
+    end = EndOf({}, ThrowLengthError);
+    return true;
+  };
+  const Ending other = RunInChildProcess({}, SleepShortly.Get(), failMeanwhile);
+  EXPECT_NE(end.find("crashed"), std::string::npos) << end;
+  EXPECT_EQ(other.Mistake, "");
+}
 
 // Changes that the work makes to memory are lost.
 TEST_F(ChildProcess, LeavesMemoryUnchanged)

@@ -135,9 +135,9 @@ TEST(Level, NamesTheTetrahedronBehindACarvedFace)
       continue;
     }
     ++carvedFaces;
-    for (int cell = 0; cell < static_cast<int>(mesh.Cells.size()); ++cell)
+    for (int cell = 0; cell < static_cast<int>(stream.Mesh.Cells.size()); ++cell)
     {
-      const auto& corners = mesh.Cells[cell];
+      const auto& corners = stream.Mesh.Cells[cell];
       const bool hasFace = std::all_of(face.Corners.begin(), face.Corners.end(),
         [&](int p) { return std::find(corners.begin(), corners.end(), p) != corners.end(); });
       const bool remains = StepAt(stream, HalfFace<3>::Of(cell, 0)) > 3;

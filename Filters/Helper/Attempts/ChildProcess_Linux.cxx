@@ -100,7 +100,7 @@ void RestoreSignals()
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/** Any other exception than for memory ends the child at once: its callers are the parent's. */
+/** An exception other than for memory ends the child at once: the callers' frames are the parent's. */
 [[noreturn]] void RunChild(pid_t parent, const Limits& limits, double processorSeconds,
   const std::function<bool()>& work) noexcept
 {

@@ -165,7 +165,10 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
   return false;
 }
 
-/** Tries M with other triangles, with parts joined that touch but for rounding, and rounded. */
+/**
+ * Tries M with other triangles in flat parts, with parts joined that touch but for rounding, and with
+ * all points rounded.
+ */
 bool ExactAttempts::TrySnapped()
 {
   const ResolvedMesh given = std::move(this->TheReply.Result.Surface);
@@ -193,19 +196,19 @@ bool ExactAttempts::TryDelaunayFaces(const ResolvedMesh& given, double tolerance
   ResolvedMesh& surface = this->TheReply.Result.Surface;
   surface = given;
   const std::string mistake = Resolve(surface, this->TheReply.IntersectingPairs, this->Host.Report);
-  FlattenedMesh flattened;
+  RetriangulatedMesh adopted;
   if (mistake.empty())
   {
-    flattened = AdoptDelaunayFaces(
+    adopted = AdoptDelaunayFaces(
       surface, this->FurtherPoints(surface.Points), tolerance, this->TheJob.Processes);
   }
   this->Host.End();
-  if (flattened.Changed == 0 || flattened.Distance > tolerance)
+  if (adopted.Changed == 0 || adopted.Distance > tolerance)
   {
     return false;
   }
-  surface = std::move(flattened.Mesh);
-  this->TheReply.SnapDistance = flattened.Distance;
+  surface = std::move(adopted.Mesh);
+  this->TheReply.SnapDistance = adopted.Distance;
   return this->TryRecovery(RecoveryEffort::Little) || // more would leave no time for other ways
     (this->TheJob.Strategy == Strategy::Auto &&
       this->TryOrder("TetGen -pcY, snapped", 0, SurfacePoints::None));

@@ -30,7 +30,7 @@ public:
     return this->Bound;
   }
 
-  /** Returns false if the last bound was as great. Then it stays. */
+  /** Returns false, and keeps the last bound, if that was at least as great. */
   bool Raise(double bound);
 
   /** Whether no new face of a star with w in the middle is farther. */

@@ -135,16 +135,12 @@ Edges FindCandidates(const Tetrahedralization& mesh, int first, const Edges& cra
   Edges candidates;
   for (const auto& c : mesh.Cells)
   {
-    for (int i = 0; i < 3; ++i)
+    for (const Edge& edge : EdgesOf(c))
     {
-      for (int k = i + 1; k < 4; ++k)
+      if (edge[1] >= first &&
+        around.Overlaps(BoxAround(std::array{ points[edge[0]], points[edge[1]] })))
       {
-        const Edge edge = SortedEdge(c[i], c[k]);
-        if (edge[1] >= first &&
-          around.Overlaps(BoxAround(std::array{ points[edge[0]], points[edge[1]] })))
-        {
-          candidates.push_back(edge);
-        }
+        candidates.push_back(edge);
       }
     }
   }
@@ -185,14 +181,15 @@ int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrah
   {
     return 0;
   }
-  int added = 0;
   Passages passages = FindPassages(mesh, 0, edges, cracks, width);
+  if (passages.empty())
+  {
+    return 0;
+  }
+  split = mesh;
+  int added = 0;
   for (int round = 0; round < rounds && !passages.empty(); ++round)
   {
-    if (round == 0)
-    {
-      split = mesh;
-    }
     const int first = static_cast<int>(split.Surface.Points.size());
     Edges passing;
     std::transform(passages.begin(), passages.end(), std::back_inserter(passing),

@@ -17,7 +17,8 @@ namespace carving::helper
  * that, thin faces may close cracks (SealCracks) that none closed before: an edge from one side of
  * a crack to the other has no thin faces around it. No edge of M is split, and tetrahedra stay
  * positively oriented; edges for which rounding prevents that stay whole. Returns the number of
- * points added, which follow the others; the copy is made if there are any. Not for enclosing mode.
+ * points added, which follow the others. Without such edges, there is no copy. Not for enclosing
+ * mode.
  */
 int SplitEdgesThroughCracks(
   const Tetrahedralization& mesh, double width, Tetrahedralization& split);

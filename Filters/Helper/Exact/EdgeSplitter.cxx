@@ -24,15 +24,13 @@ EdgeSplitter::EdgeSplitter(const std::vector<Edge>& edges, Tetrahedralization& m
   for (int cell = 0; cell < count; ++cell)
   {
     this->Constraints.push_back(mesh.Constraints.Get(cell));
-    this->ForEachEdge(cell,
-      [&](const Edge& edge)
+    for (const Edge& edge : EdgesOf(mesh.Cells[cell]))
+    {
+      if (isEnd[edge[0]] && isEnd[edge[1]] && std::binary_search(edges.begin(), edges.end(), edge))
       {
-        if (isEnd[edge[0]] && isEnd[edge[1]] &&
-          std::binary_search(edges.begin(), edges.end(), edge))
-        {
-          this->CellsAround[edge].push_back(cell);
-        }
-      });
+        this->CellsAround[edge].push_back(cell);
+      }
+    }
   }
 }
 
@@ -60,19 +58,6 @@ bool EdgeSplitter::Split(const Edge& edge, double share, double room)
 void EdgeSplitter::Finish()
 {
   this->Mesh.Constraints = FaceConstraints<3>(this->Constraints);
-}
-
-template <class Visit>
-void EdgeSplitter::ForEachEdge(int cell, const Visit& visit) const
-{
-  const auto& c = this->Mesh.Cells[cell];
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int k = i + 1; k < 4; ++k)
-    {
-      visit(SortedEdge(c[i], c[k]));
-    }
-  }
 }
 
 int EdgeSplitter::CornerOf(int cell, int point) const
@@ -147,24 +132,23 @@ int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
 /** Takes over for the other edges of a cell that it will be divided at one of them. */
 void EdgeSplitter::UpdateCellsAround(int lower, int upper, const Edge& edge)
 {
-  this->ForEachEdge(lower,
-    [&](const Edge& other)
+  for (const Edge& other : EdgesOf(this->Mesh.Cells[lower]))
+  {
+    const auto around = this->CellsAround.find(other);
+    const auto has = [&](int end) { return other[0] == end || other[1] == end; };
+    if (around == this->CellsAround.end() || has(edge[0]))
     {
-      const auto around = this->CellsAround.find(other);
-      const auto has = [&](int end) { return other[0] == end || other[1] == end; };
-      if (around == this->CellsAround.end() || has(edge[0]))
-      {
-        return;
-      }
-      if (has(edge[1]))
-      {
-        std::replace(around->second.begin(), around->second.end(), lower, upper);
-      }
-      else
-      {
-        around->second.push_back(upper);
-      }
-    });
+      continue;
+    }
+    if (has(edge[1]))
+    {
+      std::replace(around->second.begin(), around->second.end(), lower, upper);
+    }
+    else
+    {
+      around->second.push_back(upper);
+    }
+  }
 }
 
 } // namespace carving::helper

@@ -30,8 +30,6 @@ public:
   void Finish();
 
 private:
-  template <class Visit>
-  void ForEachEdge(int cell, const Visit& visit) const;
   int CornerOf(int cell, int point) const;
   bool MaySplitAt(const Edge& edge, const Point& p) const;
   void SplitAt(const Edge& edge, int point);

@@ -4,7 +4,6 @@
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/FacetTree.h"
-#include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Resolve/FacetNeighbors.h"
@@ -30,10 +29,16 @@ struct FlatPart
   Point Normal = {}; ///< the sum of their normals
 };
 
+/** Twice the area long. */
+Point NormalOf(const FacetCorners<3>& t)
+{
+  return Cross(t[1] - t[0], t[2] - t[0]);
+}
+
 /** The distance of a point from the plane of a triangle, which has an area. */
 double DistanceFromPlane(const FacetCorners<3>& t, const Point& p)
 {
-  const Point normal = Cross(t[1] - t[0], t[2] - t[0]);
+  const Point normal = NormalOf(t);
   return std::abs(Dot(normal, p - t[0])) / Length(normal);
 }
 
@@ -43,11 +48,7 @@ std::vector<FlatPart> FindFlatParts(const ResolvedMesh& mesh, double tolerance)
   const int count = static_cast<int>(mesh.Facets.size());
   const auto cornersOf = [&](int facet)
   { return carving::CornersOf<3>(mesh.Points, mesh.Facets[facet]); };
-  const auto normalOf = [&](int facet)
-  {
-    const FacetCorners<3> t = cornersOf(facet);
-    return Cross(t[1] - t[0], t[2] - t[0]);
-  };
+  const auto normalOf = [&](int facet) { return NormalOf(cornersOf(facet)); };
   const std::vector<FacetNeighbors> neighbors = FindFacetNeighbors(mesh);
   DisjointSets sets(mesh.Facets.size());
   for (int facet = 0; facet < count; ++facet)
@@ -151,9 +152,8 @@ private:
         continue;
       }
       // vertex_triple_index orders the corners so that the normal points away from the cell.
-      const FacetCorners<3> corners = carving::CornersOf<3>(this->Mesh.Points, t);
       const double along =
-        Dot(Cross(corners[1] - corners[0], corners[2] - corners[0]), this->Parts[part].Normal);
+        Dot(NormalOf(carving::CornersOf<3>(this->Mesh.Points, t)), this->Parts[part].Normal);
       const Delaunay::Facet mirror = cells.mirror_facet(facet);
       const auto& [cell, i] = along > 0.0 ? mirror : facet;
       const auto beyond = cell->vertex(i);
@@ -189,7 +189,7 @@ std::set<Edge> FindBorder(const std::vector<Triangle>& triangles)
   return border;
 }
 
-/** Those of the faces that fill a border: beside it, and beside others of them. */
+/** The faces within a border: those beside the border, and those that they are connected to. */
 std::vector<Triangle> FillBorder(const std::vector<Triangle>& faces, const std::set<Edge>& border)
 {
   std::map<Edge, int> faceAt;
@@ -250,7 +250,7 @@ std::set<Triangle> AsSets(const std::vector<Triangle>& triangles)
   return sets;
 }
 
-/** For each new triangle of a part, an old one that has a corner of it and is closest to it. */
+/** For each new triangle of a part, the closest old one that shares a corner with it. */
 std::vector<int> FindSources(
   const ResolvedMesh& mesh, const FlatPart& part, const std::vector<Triangle>& triangles)
 {
@@ -289,11 +289,11 @@ std::vector<int> FindSources(
 
 } // namespace
 
-FlattenedMesh AdoptDelaunayFaces(
+RetriangulatedMesh AdoptDelaunayFaces(
   const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance, int threads)
 {
   constexpr double least = 1e-16; // of the diagonal: other triangles differ by a rounding at least
-  FlattenedMesh result;
+  RetriangulatedMesh result;
   result.Distance = least * Diagonal(mesh.Points);
   const std::vector<FlatPart> parts = FindFlatParts(mesh, tolerance);
   if (parts.empty())

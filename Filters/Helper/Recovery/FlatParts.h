@@ -13,7 +13,7 @@
 namespace carving::helper
 {
 
-struct FlattenedMesh
+struct RetriangulatedMesh
 {
   ResolvedMesh Mesh;
   int Changed = 0;       ///< the number of flat parts that are triangulated in another way
@@ -24,12 +24,12 @@ struct FlattenedMesh
  * Replaces the triangles of flat parts of a resolved mesh by faces of the Delaunay
  * tetrahedralization of its points and of `further` ones, which have the same border. A part is
  * flat if neighboring triangles are within `tolerance` of a common plane. Points that lie in a plane
- * and on a sphere but for rounding, such as those of the end of a cylinder, have many triangulations,
- * and to recover another one than that of the tetrahedralization takes long. A part stays as it is
+ * and on a sphere but for rounding, such as those of the end of a cylinder, have many triangulations.
+ * Recovering another one than that of the tetrahedralization takes long. A part stays as it is
  * where the faces do not fill its border, or are its triangles already. A new triangle takes over
  * the source of an old one close to it.
  */
-FlattenedMesh AdoptDelaunayFaces(
+RetriangulatedMesh AdoptDelaunayFaces(
   const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance, int threads);
 
 } // namespace carving::helper

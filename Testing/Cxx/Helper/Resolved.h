@@ -7,6 +7,8 @@
 #define Resolved_h
 
 #include "Checks.h"
+#include "Core/Mesh/CellGeometry.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Helper/Resolve/Clean.h"
 #include "Helper/Resolve/Resolve.h"
 
@@ -21,6 +23,17 @@ inline carving::ResolvedMesh Resolved(const carving::TriangleMesh& given)
   EXPECT_EQ(Resolve(mesh, pairs, {}), "");
   EXPECT_EQ(checks::CountCrossings(mesh.Points, mesh.Facets), 0);
   return mesh;
+}
+
+/** The area of all triangles. */
+inline double AreaOf(const carving::ResolvedMesh& mesh)
+{
+  double area = 0.0;
+  for (const carving::Triangle& t : mesh.Facets)
+  {
+    area += carving::Size(carving::CornersOf<3>(mesh.Points, t));
+  }
+  return area;
 }
 
 #endif

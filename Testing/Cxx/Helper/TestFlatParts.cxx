@@ -7,6 +7,7 @@
 #include "Helper/Recovery/RecoverAll.h"
 #include "Helper/Resolve/Clean.h"
 #include "RandomModels.h"
+#include "Resolved.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -20,17 +21,6 @@ using namespace carving::helper;
 
 namespace
 {
-
-double AreaOf(const ResolvedMesh& mesh)
-{
-  double area = 0.0;
-  for (const Triangle& t : mesh.Facets)
-  {
-    const auto [a, b, c] = carving::CornersOf<3>(mesh.Points, t);
-    area += Length(Cross(b - a, c - a)) / 2.0;
-  }
-  return area;
-}
 
 /** A flat ring of square cross-section. */
 TriangleMesh Washer(int sides)
@@ -55,7 +45,7 @@ TriangleMesh Washer(int sides)
   return mesh;
 }
 
-FlattenedMesh Adopt(const ResolvedMesh& mesh)
+RetriangulatedMesh Adopt(const ResolvedMesh& mesh)
 {
   return AdoptDelaunayFaces(mesh, {}, 1e-12 * Diagonal(mesh.Points), 1);
 }
@@ -74,19 +64,19 @@ TEST(FlatParts, OfPrismsAreRecoveredAtOnce)
     const int sides = 3 + static_cast<int>(random() % 100);
     const TriangleMesh prism = models::Rotated(models::Prism(sides, 0.0, 2.0), random);
     const ResolvedMesh given = Clean(AsResolved(prism));
-    const FlattenedMesh flattened = Adopt(given);
-    if (flattened.Changed == 0)
+    const RetriangulatedMesh adopted = Adopt(given);
+    if (adopted.Changed == 0)
     {
       continue;
     }
-    changed += flattened.Changed;
-    EXPECT_LE(flattened.Distance, 1e-12 * Diagonal(given.Points));
-    EXPECT_EQ(flattened.Mesh.Points, given.Points);
-    EXPECT_EQ(flattened.Mesh.Facets.size(), given.Facets.size());
-    EXPECT_NEAR(AreaOf(flattened.Mesh), AreaOf(given), 1e-12);
-    EXPECT_TRUE(checks::IsClosed(flattened.Mesh.Facets));
+    changed += adopted.Changed;
+    EXPECT_LE(adopted.Distance, 1e-12 * Diagonal(given.Points));
+    EXPECT_EQ(adopted.Mesh.Points, given.Points);
+    EXPECT_EQ(adopted.Mesh.Facets.size(), given.Facets.size());
+    EXPECT_NEAR(AreaOf(adopted.Mesh), AreaOf(given), 1e-12);
+    EXPECT_TRUE(checks::IsClosed(adopted.Mesh.Facets));
     Tetrahedralization result;
-    result.Surface = flattened.Mesh;
+    result.Surface = adopted.Mesh;
     const auto goOn = [](double) { return true; };
     EXPECT_EQ(RecoverAll({}, RecoveryEffort::Little, 1, goOn, result).Mistake, "");
   }
@@ -99,18 +89,18 @@ TEST(FlatParts, KeepTheirSources)
   std::mt19937_64 random(2);
   const ResolvedMesh given =
     Clean(AsResolved(models::Rotated(models::Prism(60, 0.0, 2.0), random)));
-  const FlattenedMesh flattened = Adopt(given);
-  ASSERT_GT(flattened.Changed, 0);
+  const RetriangulatedMesh adopted = Adopt(given);
+  ASSERT_GT(adopted.Changed, 0);
   const auto normalOf = [&](const Triangle& t)
   {
     const auto [a, b, c] = carving::CornersOf<3>(given.Points, t);
     const Point normal = Cross(b - a, c - a);
     return normal / Length(normal);
   };
-  for (std::size_t i = 0; i < flattened.Mesh.Facets.size(); ++i)
+  for (std::size_t i = 0; i < adopted.Mesh.Facets.size(); ++i)
   {
-    const Triangle& source = given.Facets[flattened.Mesh.FacetSources[i]];
-    EXPECT_GT(Dot(normalOf(flattened.Mesh.Facets[i]), normalOf(source)), 1.0 - 1e-9) << i;
+    const Triangle& source = given.Facets[adopted.Mesh.FacetSources[i]];
+    EXPECT_GT(Dot(normalOf(adopted.Mesh.Facets[i]), normalOf(source)), 1.0 - 1e-9) << i;
   }
 }
 
@@ -129,11 +119,11 @@ TEST(FlatParts, KeepTheirBorders)
   for (int i = 0; i < 10; ++i)
   {
     const ResolvedMesh given = Clean(AsResolved(models::Rotated(Washer(40), random)));
-    const FlattenedMesh flattened = Adopt(given);
-    if (flattened.Changed > 0)
+    const RetriangulatedMesh adopted = Adopt(given);
+    if (adopted.Changed > 0)
     {
-      EXPECT_TRUE(checks::IsClosed(flattened.Mesh.Facets));
-      EXPECT_NEAR(AreaOf(flattened.Mesh), AreaOf(given), 1e-12);
+      EXPECT_TRUE(checks::IsClosed(adopted.Mesh.Facets));
+      EXPECT_NEAR(AreaOf(adopted.Mesh), AreaOf(given), 1e-12);
     }
   }
 }

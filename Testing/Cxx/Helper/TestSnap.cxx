@@ -7,6 +7,7 @@
 #include "Helper/Resolve/Resolve.h"
 #include "Helper/Resolve/Snap.h"
 #include "RandomModels.h"
+#include "Resolved.h"
 #include "Shapes.h"
 
 #include <gtest/gtest.h>
@@ -67,17 +68,6 @@ TriangleMesh BeginningWith(int first, TriangleMesh mesh)
     }
   }
   return mesh;
-}
-
-double AreaOf(const ResolvedMesh& mesh)
-{
-  double area = 0.0;
-  for (const auto& [a, b, c] : mesh.Facets)
-  {
-    const Point& p = mesh.Points[a];
-    area += Length(Cross(mesh.Points[b] - p, mesh.Points[c] - p)) / 2.0;
-  }
-  return area;
 }
 
 /** Expects that resolving what touches leaves no crossing, this area, and all points in place. */

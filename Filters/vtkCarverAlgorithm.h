@@ -331,16 +331,18 @@ public:
   /**
    * The distance that points of the mesh may be moved if TetGen cannot tetrahedralize the mesh as
    * given, as a share of the diagonal of the mesh's bounding box. First, parts that are flat within
-   * it get other triangles of the same points, as the Delaunay tetrahedralization has them: the ends
-   * of cylinders, for example. Then, points, edges and triangles that are closer to each other than
-   * a quarter of it are taken to touch, and are split where they do: given points keep their places,
-   * unless several become one. If TetGen fails on that mesh, too, all points are rounded to a grid,
-   * so that parts that nearly touch do touch or vanish, and the mesh is resolved again. In EXACT mode, snapping is the last attempt; in AUTO
-   * mode, it comes before the mesh is only enclosed. Snapping is without effect in ENCLOSING mode,
-   * on a CUSTOM initial approximation and on contours. M is then the snapped mesh: levels enclose
-   * the snapped mesh, and the last level is the snapped mesh. The array `SnapDistance` of the field
-   * data has the largest distance that a point has been moved. If a mesh has many details that are
-   * smaller than the tolerance, only a finer grid can be used, or none.
+   * it get other triangles of the same points, as the Delaunay tetrahedralization has them: the
+   * ends of cylinders, for example. Then, points, edges and triangles that are closer to each other
+   * than a quarter of it are taken to touch, and are split where they do: given points keep their
+   * places, unless several become one. If TetGen fails on that mesh, too, all points are rounded to
+   * a grid, so that parts that nearly touch do touch or vanish, and the mesh is resolved again. In
+   * EXACT mode, snapping is the last attempt; in AUTO mode, it comes before the mesh is only
+   * enclosed. Whenever a mesh is enclosed, flat parts get other triangles, but no point is moved.
+   * Snapping is without effect on a CUSTOM initial approximation and on contours. M is then the
+   * snapped mesh: levels enclose the snapped mesh, and the last level is the snapped mesh. The array
+   * `SnapDistance` of the field data has the largest distance that a point has been moved.
+   * If a mesh has many details that are smaller than the tolerance, only a finer grid can be used,
+   * or none.
    *
    * Range 0 to 1. The default, 1e-12, removes roundings: points that should be in one plane or in
    * one place, and crossings closer than TetGen can tell apart. Points in single precision stay

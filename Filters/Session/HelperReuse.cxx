@@ -31,9 +31,8 @@ bool AttemptsAlike(
   {
     return false;
   }
-  // Snapping follows all other exact attempts, and precedes enclosing.
-  const bool snappingMatters = snapped || (enclosed && now.Conformity != Conformity::Enclosing);
-  if (now.SnapTolerance != before.SnapTolerance && snappingMatters)
+  // Snapping follows all other exact attempts, and precedes enclosing, or is part of that.
+  if (now.SnapTolerance != before.SnapTolerance && (snapped || enclosed))
   {
     return false;
   }

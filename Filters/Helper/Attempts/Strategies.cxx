@@ -180,12 +180,14 @@ bool StrategyRun::TryEnclosing()
     return !hasBegun || this->Host.Report(fraction);
   };
   report(0.0);
-  const Enclosure enclosure = Enclose(input, further, this->TheJob.EnclosingTolerance,
-    this->TheJob.Processes, report, this->TheReply.Result);
+  const Enclosure enclosure =
+    Enclose(input, further, { this->TheJob.EnclosingTolerance, this->TheJob.SnapTolerance },
+      this->TheJob.Processes, report, this->TheReply.Result);
   this->Enclosing.Await(HUGE_VAL);
   report(1.0);
   this->TheReply.SolidMatters = this->TheJob.Conformity != Conformity::Enclosing;
   this->Failures.CopyTo(this->TheReply);
+  this->TheReply.SnapDistance = enclosure.FlatDistance;
   this->TheReply.KeptDistance = enclosure.Distances.Maximum;
   this->TheReply.KeptDistance99 = enclosure.Distances.Percentile99;
   this->TheReply.KeptDistanceMean = enclosure.Distances.Mean;

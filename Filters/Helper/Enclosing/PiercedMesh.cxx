@@ -23,23 +23,16 @@ Corners3 FaceOf(const PiercedMesh::Cell& cell, int f)
   return face;
 }
 
-PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
-  const std::function<bool(double)>& progress)
+PiercedMesh::PiercedMesh(Delaunay&& delaunay, const ResolvedMesh& input,
+  const std::vector<Point>& further, int threads, const std::function<bool(double)>& progress)
   : Parts(input)
 {
   for (const Point& p : further)
   {
     this->Parts.AddPoint(p);
   }
-  std::vector<std::pair<Inexact::Point_3, VertexInfo>> points;
-  for (const Point& p : this->Parts.GetPoints())
-  {
-    VertexInfo info;
-    info.Index = static_cast<int>(points.size());
-    points.emplace_back(ToInexact(p), info);
-  }
-  this->Mesh.insert(points.begin(), points.end());
-  this->Vertices.resize(points.size());
+  this->Mesh.swap(delaunay);
+  this->Vertices.resize(this->Parts.GetPoints().size());
   for (const Vertex v : this->Mesh.finite_vertex_handles())
   {
     this->Vertices[v->info().Index] = v;
@@ -47,6 +40,30 @@ PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& fu
   std::vector<int> parts(input.Facets.size());
   std::iota(parts.begin(), parts.end(), 0);
   this->SettleAll(std::move(parts), threads, progress);
+}
+
+PiercedMesh::PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
+  const std::function<bool(double)>& progress)
+  : PiercedMesh(Tetrahedralize(input.Points, further), input, further, threads, progress)
+{
+}
+
+PiercedMesh::Delaunay PiercedMesh::Tetrahedralize(
+  const std::vector<Point>& points, const std::vector<Point>& further)
+{
+  std::vector<std::pair<Inexact::Point_3, VertexInfo>> vertices;
+  for (const std::vector<Point>* some : { &points, &further })
+  {
+    for (const Point& p : *some)
+    {
+      VertexInfo info;
+      info.Index = static_cast<int>(vertices.size());
+      vertices.emplace_back(ToInexact(p), info);
+    }
+  }
+  Delaunay delaunay;
+  delaunay.insert(vertices.begin(), vertices.end());
+  return delaunay;
 }
 
 Corners3 PiercedMesh::CornersOf(int part) const

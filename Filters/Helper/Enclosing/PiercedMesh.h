@@ -55,6 +55,14 @@ public:
   PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
     const std::function<bool(double)>& progress);
 
+  /** The same of a Delaunay tetrahedralization of these points, which this object takes over. */
+  PiercedMesh(Delaunay&& delaunay, const ResolvedMesh& input, const std::vector<Point>& further,
+    int threads, const std::function<bool(double)>& progress);
+
+  /** Makes the Delaunay tetrahedralization of points, whose vertices have their numbers. */
+  static Delaunay Tetrahedralize(
+    const std::vector<Point>& points, const std::vector<Point>& further);
+
   /** Whether a part is a face. */
   bool IsFace(int part) const;
 

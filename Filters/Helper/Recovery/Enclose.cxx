@@ -5,21 +5,14 @@
 #include "Core/Mesh/Progress.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
-#include "Helper/Cutting/Cut.h"
 #include "Helper/Cutting/HalveKept.h"
 #include "Helper/Enclosing/ExposedFaces.h"
+#include "Helper/Recovery/CutTetrahedra.h"
 #include "Helper/Recovery/Detach.h"
-#include "Helper/Recovery/Recover.h"
 #include "Helper/Recovery/WriteCells.h"
-#include "Helper/Resolve/Intersections.h"
-#include "Helper/Resolve/Resolve.h"
 
 #include <algorithm>
-#include <cfloat>
-#include <future>
 #include <iterator>
-#include <memory>
-#include <numeric>
 #include <utility>
 
 namespace carving::helper
@@ -28,10 +21,6 @@ namespace
 {
 
 using Cell = PiercedMesh::Cell;
-
-/** Changes that cutting may try: they take about eight seconds. */
-constexpr std::size_t MaximumCuts = 1500000;
-constexpr double LeastYield = 0.0025; ///< of M's area; 100,000 changes take half a second
 
 /** Adds the faces on which parts of M lie. */
 void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedralization& result)
@@ -62,38 +51,6 @@ void WriteFaces(const PiercedMesh& mesh, const ResolvedMesh& input, Tetrahedrali
     }
   }
   result.Constraints = FaceConstraints<3>(constraints);
-}
-
-/**
- * Measures the share of M's area that is faces, which is returned, and that of each triangle's
- * area.
- */
-double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares)
-{
-  const auto& parts = mesh.GetParts().GetParts();
-  std::vector<char> isFace(parts.size(), 1);
-  for (const int part : mesh.FindMissing())
-  {
-    isFace[part] = 0;
-  }
-  std::vector<double> met(shares.size(), 0.0), all(shares.size(), 0.0);
-  for (int part = 0; part < static_cast<int>(parts.size()); ++part)
-  {
-    const int parent = parts[part].Parent;
-    if (parent >= 0)
-    {
-      // A part without area after rounding has a share nevertheless.
-      const double area = std::max(mesh.GetParts().AreaOf(parts[part].Corners), DBL_MIN);
-      all[parent] += area;
-      met[parent] += isFace[part] ? area : 0.0;
-    }
-  }
-  for (std::size_t i = 0; i < shares.size(); ++i)
-  {
-    shares[i] = all[i] > 0.0 ? met[i] / all[i] : 1.0; // rounding may leave no part of a triangle
-  }
-  return std::accumulate(met.begin(), met.end(), 0.0) /
-    std::accumulate(all.begin(), all.end(), 0.0);
 }
 
 /**
@@ -138,124 +95,32 @@ void KeepBareVertices(PiercedMesh& mesh, const ResolvedMesh& input)
   }
 }
 
-using Pairs = std::vector<std::pair<int, int>>;
-
-/** Tetrahedra whose faces are as much of M as recovery and cutting reach. */
-struct CutTetrahedra
-{
-  CutTetrahedra(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
-    const Progress& progress)
-    : Input(input)
-    , Mesh(Input, further, threads, progress)
-  {
-  }
-
-  ResolvedMesh Input;
-  PiercedMesh Mesh;
-  std::vector<Subdivision::Part> Needles; ///< that the mesh lacks
-  bool Crosses = false;                   ///< the input crosses itself often
-  int ResolvedPairs = 0;                  ///< see Enclosure
-};
-
-/** Recovers and cuts; with `tolerance` 0, only recovers. */
-void MeetParts(
-  const Pairs& pairs, double tolerance, int threads, const Progress& progress, CutTetrahedra& cells)
-{
-  constexpr double often = 0.01; // per triangle
-  const auto facets = static_cast<std::ptrdiff_t>(cells.Input.Facets.size());
-  cells.Crosses = static_cast<double>(pairs.size()) > often * static_cast<double>(facets);
-  // Cutting takes less time than more steps would, but not where many triangles cross each other.
-  const std::ptrdiff_t stepsPerFacet = cells.Crosses ? 100 : 30;
-  Recover(cells.Mesh, 100000 + stepsPerFacet * facets, PartOf(progress, 0.0, 0.2));
-  if (tolerance > 0.0)
-  {
-    cells.Needles = Cut(cells.Mesh, tolerance,
-      { MaximumCuts, MaximumPointsAdded(cells.Input.Points.size()), LeastYield }, threads,
-      PartOf(progress, 0.2, 1.0));
-  }
-}
-
-std::size_t CountKept(const PiercedMesh& mesh)
-{
-  const auto cells = mesh.GetDelaunay().finite_cell_handles();
-  return std::count_if(
-    cells.begin(), cells.end(), [](const Cell cell) { return cell->info().IsPierced(); });
-}
-
-/** The share of M's area that is faces. Needles do not count: most have hardly any area. */
-double MetShareOf(const CutTetrahedra& cells)
-{
-  std::vector<double> shares(cells.Input.Facets.size());
-  return MeasureMetShares(cells.Mesh, shares);
-}
-
-/**
- * Whether more of M is likely to be met if it is resolved first. With few crossings, little would
- * be gained. Where cutting leaves many tetrahedra pierced, more time would be lost than area
- * gained.
- */
-bool MayMeetMoreResolved(const CutTetrahedra& cells, std::size_t pairs)
-{
-  constexpr std::size_t mostPairs = 20000;   // they are resolved in about two seconds
-  constexpr std::size_t mostFacets = 400000; // two tetrahedralizations need memory
-  constexpr double mostKept = 0.1;           // per triangle
-  const std::size_t facets = cells.Input.Facets.size();
-  return cells.Crosses && pairs <= std::min(facets, mostPairs) && facets <= mostFacets &&
-    static_cast<double>(CountKept(cells.Mesh)) <= mostKept * static_cast<double>(facets);
-}
-
-/** Cuts M or, if more of it is met then, the resolved M. With `tolerance` 0, only recovers. */
-std::unique_ptr<CutTetrahedra> CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
-  double tolerance, int threads, const Progress& progress)
-{
-  const auto policy =
-    threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
-  std::future<Pairs> search = std::async(policy,
-    [&] { return tolerance > 0.0 ? FindIntersections(input.Points, input.Facets) : Pairs(); });
-  auto cells = std::make_unique<CutTetrahedra>(input, further, threads, PartOf(progress, 0.0, 0.1));
-  Pairs pairs = search.get();
-  MeetParts(pairs, tolerance, threads, PartOf(progress, 0.1, 0.7), *cells);
-  if (!MayMeetMoreResolved(*cells, pairs.size()))
-  {
-    return cells;
-  }
-  const int count = static_cast<int>(pairs.size());
-  ResolvedMesh resolved = input;
-  if (!ResolvePairs(resolved, std::move(pairs), {}).empty())
-  {
-    return cells;
-  }
-  auto others =
-    std::make_unique<CutTetrahedra>(resolved, further, threads, PartOf(progress, 0.7, 0.8));
-  MeetParts({}, tolerance, threads, PartOf(progress, 0.8, 1.0), *others);
-  others->ResolvedPairs = count;
-  return MetShareOf(*others) > MetShareOf(*cells) ? std::move(others) : std::move(cells);
-}
-
 } // namespace
 
-Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
-  int threads, const std::function<bool(double)>& progress, Tetrahedralization& result)
+Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further,
+  const EnclosingTolerances& tolerances, int threads, const std::function<bool(double)>& progress,
+  Tetrahedralization& result)
 {
   const double length = Diagonal(input.Points);
-  const bool mayAddPoints = tolerance > 0.0;
-  const std::unique_ptr<CutTetrahedra> cells = CutBest(input, further,
-    mayAddPoints ? CutTolerance * length : 0.0, threads, PartOf(progress, 0.0, 0.7));
-  PiercedMesh& mesh = cells->Mesh;
-  ResolvedMesh& met = cells->Input;
+  const bool mayAddPoints = tolerances.Distance > 0.0;
+  CutTetrahedra cells = CutBest(input, further,
+    { mayAddPoints ? CutTolerance * length : 0.0, tolerances.Flatness * length }, threads,
+    PartOf(progress, 0.0, 0.7));
+  PiercedMesh& mesh = *cells.Mesh;
+  ResolvedMesh& met = cells.Input;
   constexpr double negligible = 1e-4;
   constexpr double accuracy = 1.05; // distances are exact to within this factor
-  const double bound = tolerance * length / accuracy;
+  const double bound = tolerances.Distance * length / accuracy;
   const SurfaceDistance distance(met);
   if (mayAddPoints)
   {
     const std::size_t count = met.Points.size(), most = MaximumPointsAdded(count);
     // Detaching vertices at crossings would take most of the time.
-    if (!cells->Crosses && cells->ResolvedPairs == 0)
+    if (!cells.Crosses && cells.ResolvedPairs == 0)
     {
       DetachAll(mesh, static_cast<int>(count + further.size()), 0);
     }
-    mesh.GiveParts(cells->Needles, threads, PartOf(progress, 0.7, 0.7));
+    mesh.GiveParts(cells.Needles, threads, PartOf(progress, 0.7, 0.7));
     HalveKept(mesh, distance, bound, most, threads, PartOf(progress, 0.7, 0.8));
     // Further points take the surface much closer than it has to be: to a quarter, and then to a
     // tenth. Their number is bounded by the size of the mesh.
@@ -279,7 +144,7 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, 
   result.MetShares.resize(met.Facets.size());
   const double share = MeasureMetShares(mesh, result.MetShares);
   result.Unresolved = std::move(met);
-  return { kept, share, cells->ResolvedPairs };
+  return { kept, share, cells.ResolvedPairs, cells.FlatDistance };
 }
 
 } // namespace carving::helper

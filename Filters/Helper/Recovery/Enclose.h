@@ -16,27 +16,35 @@
 namespace carving::helper
 {
 
+/** Shares of the diagonal of M's bounding box. */
+struct EnclosingTolerances
+{
+  double Distance;       ///< from M that kept tetrahedra may reach; 0: no points are added on M
+  double Flatness = 0.0; ///< of the parts that get other triangles (FlatParts.h); 0: none does
+};
+
 /** How far an enclosure is from M. */
 struct Enclosure
 {
   KeptDistances Distances;
-  double MetShare;   ///< the share of M's area that is faces
-  int ResolvedPairs; ///< the pairs of triangles that crossed before the input was resolved, or 0
+  double MetShare;     ///< the share of M's area that is faces
+  int ResolvedPairs;   ///< the pairs of triangles that crossed before the input was resolved, or 0
+  double FlatDistance; ///< of M from the triangles that its flat parts were given, at most
 };
 
 /**
  * Tetrahedralizes the points of `input`, which has been cleaned and may cross itself, and the
  * `further` points of C0; not all points may lie in one plane. Triangles of M are recovered as
- * faces where they do not cross each other. `tolerance` is a share of the diagonal of M's bounding
- * box: points are added until no kept tetrahedron reaches farther from M, or until there are too
- * many points. With 0, none are added on M.
+ * faces where they do not cross each other. Points are added until no kept tetrahedron reaches
+ * farther from M than the tolerance, or until there are too many points.
  *
  * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has
- * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input or,
- * if more of that is met, the resolved input, and `MetShares` is there.
+ * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input, with
+ * other triangles in flat parts, or, if more of that is met, the resolved input, and `MetShares` is there.
  */
-Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further, double tolerance,
-  int threads, const std::function<bool(double)>& progress, Tetrahedralization& result);
+Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further,
+  const EnclosingTolerances& tolerances, int threads, const std::function<bool(double)>& progress,
+  Tetrahedralization& result);
 
 } // namespace carving::helper
 

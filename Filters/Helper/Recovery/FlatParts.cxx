@@ -5,7 +5,6 @@
 #include "Core/Mesh/DisjointSets.h"
 #include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/Vector.h"
-#include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Resolve/FacetNeighbors.h"
 
 #include <algorithm>
@@ -290,7 +289,7 @@ std::vector<int> FindSources(
 } // namespace
 
 RetriangulatedMesh AdoptDelaunayFaces(
-  const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance, int threads)
+  const ResolvedMesh& mesh, const Delaunay& delaunay, double tolerance)
 {
   constexpr double least = 1e-16; // of the diagonal: other triangles differ by a rounding at least
   RetriangulatedMesh result;
@@ -300,11 +299,7 @@ RetriangulatedMesh AdoptDelaunayFaces(
   {
     return result;
   }
-  ResolvedMesh points;
-  points.Points = mesh.Points;
-  points.PointSources = mesh.PointSources;
-  const PiercedMesh cells(points, further, threads, [](double) { return true; });
-  const PartFaces faces(mesh, parts, cells.GetDelaunay());
+  const PartFaces faces(mesh, parts, delaunay);
   std::vector<char> isReplaced(mesh.Facets.size(), 0);
   result.Mesh.Points = mesh.Points;
   result.Mesh.PointSources = mesh.PointSources;

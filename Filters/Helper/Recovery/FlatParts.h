@@ -7,8 +7,7 @@
 #define carving_FlatParts_h
 
 #include "Core/Mesh/Mesh.h"
-
-#include <vector>
+#include "Helper/Enclosing/PiercedMesh.h"
 
 namespace carving::helper
 {
@@ -21,16 +20,18 @@ struct RetriangulatedMesh
 };
 
 /**
- * Replaces the triangles of flat parts of a resolved mesh by faces of the Delaunay
- * tetrahedralization of its points and of `further` ones, which have the same border. A part is
- * flat if neighboring triangles are within `tolerance` of a common plane. Points that lie in a plane
- * and on a sphere but for rounding, such as those of the end of a cylinder, have many triangulations.
- * Recovering another one than that of the tetrahedralization takes long. A part stays as it is
- * where the faces do not fill its border, or are its triangles already. A new triangle takes over
- * the source of an old one close to it.
+ * Replaces the triangles of flat parts of a mesh, which may cross itself, by faces of the Delaunay
+ * tetrahedralization of its points, which may have further ones. The faces of a part have the same
+ * border. A part is flat if neighboring triangles are within `tolerance`, a length, of a common
+ * plane.
+ *
+ * Points that lie in a plane and on a sphere but for rounding, such as those of the end of a
+ * cylinder, have many triangulations. Recovering another one than that of the tetrahedralization
+ * takes long. A part stays as it is where the faces do not fill its border, or are its triangles
+ * already. A new triangle takes over the source of an old one close to it.
  */
 RetriangulatedMesh AdoptDelaunayFaces(
-  const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance, int threads);
+  const ResolvedMesh& mesh, const PiercedMesh::Delaunay& delaunay, double tolerance);
 
 } // namespace carving::helper
 

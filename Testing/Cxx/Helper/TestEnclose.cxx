@@ -5,6 +5,7 @@
  */
 #include "Checks.h"
 #include "Core/Measure/LevelSelection.h"
+#include "Core/Mesh/Box.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Resolve/Intersections.h"
 #include "HelperRun.h"
@@ -106,6 +107,7 @@ struct SoupCase
   InitialApproximation Initial;
   double Tolerance;
   CarveOptions Options;
+  double SnapTolerance = 0.0;
 };
 
 SoupCase RandomSoup(std::mt19937_64& random)
@@ -125,12 +127,18 @@ SoupCase FlatSidedSoup(int i, std::mt19937_64& random)
   const int n = 2 + static_cast<int>(random() % 20);
   const TriangleMesh aligned = i % 2 ? models::GridSoup(n, random) : models::BoxSoup(n, random);
   return { models::Rotated(aligned, random), InitialApproximation::ConvexHull,
-    i % 4 < 2 ? 0.1 : 0.05, {} };
+    i % 4 < 2 ? 0.1 : 0.05, {}, i % 3 ? 1e-12 : 0.0 };
 }
 
 void ExpectEnclosingLevels(const SoupCase& soup)
 {
-  const Reply reply = GetReply(soup.Mesh, Conformity::Enclosing, soup.Tolerance, soup.Initial);
+  Job job;
+  job.Mesh = soup.Mesh;
+  job.Conformity = Conformity::Enclosing;
+  job.EnclosingTolerance = soup.Tolerance;
+  job.Initial = soup.Initial;
+  job.SnapTolerance = soup.SnapTolerance;
+  const Reply reply = GetReply(job);
   ExpectEnclosingLevels(soup.Mesh, CarveResult(reply.Result, soup.Options, SolidRule::SurfaceOnly));
 }
 
@@ -176,6 +184,29 @@ TEST(Enclose, EnclosesRotatedFlatSides)
   {
     SCOPED_TRACE("soup " + std::to_string(i));
     ExpectEnclosingLevels(FlatSidedSoup(i, random));
+  }
+}
+
+// Rotated prisms, whose sides are flat and whose ends have their corners on circles, but for rounding,
+// are met as a whole, without new vertices.
+TEST(Enclose, MeetsRotatedPrisms)
+{
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> length(0.1, 20.0);
+  const int count = models::NumberOfCases("TOPOLOGYCARVING_RANDOM_MESHES", 10);
+  for (int i = 0; i < count; ++i)
+  {
+    SCOPED_TRACE("prisms " + std::to_string(i));
+    const auto prism = [&](double from)
+    { return models::Prism(3 + static_cast<int>(random() % 200), from, from + length(random)); };
+    Job job;
+    job.Mesh = models::Rotated(models::Joined(prism(-21.0), prism(1.0)), random);
+    job.Conformity = Conformity::Enclosing;
+    job.SnapTolerance = 1e-12;
+    const Reply reply = GetReply(job);
+    EXPECT_EQ(reply.MetShare, 1.0);
+    EXPECT_EQ(reply.PointsAdded, 0);
+    EXPECT_LE(reply.SnapDistance, 1e-12 * Diagonal(job.Mesh.Points));
   }
 }
 

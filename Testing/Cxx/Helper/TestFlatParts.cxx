@@ -47,7 +47,8 @@ TriangleMesh Washer(int sides)
 
 RetriangulatedMesh Adopt(const ResolvedMesh& mesh)
 {
-  return AdoptDelaunayFaces(mesh, {}, 1e-12 * Diagonal(mesh.Points), 1);
+  return AdoptDelaunayFaces(
+    mesh, PiercedMesh::Tetrahedralize(mesh.Points, {}), 1e-12 * Diagonal(mesh.Points));
 }
 
 } // namespace

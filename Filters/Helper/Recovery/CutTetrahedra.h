@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: AGPL-3.0-or-later
+/**
+ * @file
+ * The Delaunay tetrahedralization that has as much of M as recovery and cutting reach. Not in the
+ * paper.
+ */
+#ifndef carving_CutTetrahedra_h
+#define carving_CutTetrahedra_h
+
+#include "Core/Mesh/Progress.h"
+#include "Helper/Enclosing/PiercedMesh.h"
+#include "Helper/Recovery/Enclose.h"
+
+#include <memory>
+#include <vector>
+
+namespace carving::helper
+{
+
+/** Tetrahedra whose faces are as much of M as recovery and cutting reach. */
+struct CutTetrahedra
+{
+  ResolvedMesh Input; ///< M, with other triangles in flat parts, and resolved if that meets more
+  std::unique_ptr<PiercedMesh> Mesh;
+  std::vector<Subdivision::Part> Needles; ///< that the mesh lacks
+  bool Crosses = false;                   ///< the input crosses itself often
+  int ResolvedPairs = 0;                  ///< see Enclosure
+  double FlatDistance = 0.0;              ///< see Enclosure
+};
+
+/** Recovers and cuts M, or the resolved M. Both tolerances are lengths; see EnclosingTolerances. */
+CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
+  const EnclosingTolerances& tolerances, int threads, const Progress& progress);
+
+/**
+ * Measures the share of M's area that is faces, which is returned, and that of each triangle's
+ * area.
+ */
+double MeasureMetShares(const PiercedMesh& mesh, std::vector<double>& shares);
+
+} // namespace carving::helper
+
+#endif

@@ -6,12 +6,15 @@
 #include "Convert/CarverInput.h"
 #include "Convert/CellArrays.h"
 #include "Convert/IsSame.h"
+#include "Convert/OwnArrays.h"
 #include "Convert/PointOutput.h"
 #include "Objects/CompositeTree.h"
+#include "Session/CarverNotes.h"
 #include "Session/CarverStages.h"
 #include "Session/RepeatedDecimation.h"
 #include "Session/WithinMemory.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -60,6 +63,16 @@ void FillSurface(const carving::Decimation& decimation, const carving::Decimated
   AddFieldValue<vtkIdTypeArray>(
     fieldData, LevelArrays::Triangles, static_cast<vtkIdType>(surface.Triangles.size()));
   AddFieldValue<vtkDoubleArray>(fieldData, LevelArrays::Error, result.Error);
+}
+
+/** The input with the point data that the surfaces can have. Adds notes on the rest. */
+vtkSmartPointer<vtkPolyData> WithUsablePointData(
+  vtkPolyData* input, std::vector<std::string>& notes)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(input);
+  copy->GetCellData()->Initialize();
+  return WithUsableArrays(copy, notes);
 }
 
 carving::Job JobFor(int type, std::vector<double> targets)
@@ -202,6 +215,8 @@ bool vtkEnclosingDecimation::Decimate(vtkPolyData* input, vtkMultiBlockDataSet* 
     vtkErrorMacro(<< error);
     return false;
   }
+  const vtkSmartPointer<vtkPolyData> attributes = WithUsablePointData(input, gathered.Notes);
+  WriteNotes(gathered.Notes, surfaces->GetFieldData());
   for (std::size_t i = job.Decimation.Targets.size(); i-- > 0;)
   {
     const auto& [origin, surface] = decimation.GetClosest(i);
@@ -214,7 +229,8 @@ bool vtkEnclosingDecimation::Decimate(vtkPolyData* input, vtkMultiBlockDataSet* 
                       << "without a change of topology or a crossing.");
     }
     vtkNew<vtkPolyData> level;
-    FillSurface(origin, surface, input, level);
+    FillSurface(origin, surface, attributes, level);
+    WriteNotes(gathered.Notes, level->GetFieldData());
     const unsigned int block = surfaces->GetNumberOfBlocks();
     surfaces->SetBlock(block, level);
     SetBlockName(surfaces, block, "LOD " + std::to_string(block));

@@ -25,12 +25,15 @@ void AddLines(const std::string& before, const std::string& lines, const std::st
 
 } // namespace
 
-void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>& notes)
+void DescribeDecomposition(
+  const carving::Reply& reply, int dimension, std::vector<std::string>& notes)
 {
   if (reply.IntersectingPairs > 0)
   {
-    notes.push_back(std::to_string(reply.IntersectingPairs) +
-      " pairs of triangles or edges cross each other and were split where they meet.");
+    const std::string number = std::to_string(reply.IntersectingPairs);
+    notes.push_back(dimension == 3
+        ? number + " pairs of triangles cross each other and were split where they meet."
+        : "Edges cross or touch others in " + number + " points and were split there.");
   }
   AddLines("An attempt failed. ", reply.Attempts, "", notes);
   AddLines("The result depends on a limit: ", reply.Limits,

@@ -14,9 +14,11 @@
 class vtkFieldData;
 
 /**
- * Adds notes on how the helper program has decomposed the mesh, unless the first attempt succeeded.
+ * Adds notes on how the helper program has decomposed a mesh (dimension 3) or contours (2), unless
+ * the first attempt succeeded.
  */
-void DescribeDecomposition(const carving::Reply& reply, std::vector<std::string>& notes);
+void DescribeDecomposition(
+  const carving::Reply& reply, int dimension, std::vector<std::string>& notes);
 
 /** Writes the notes, if there are any, as the string array `Notes`. */
 void WriteNotes(const std::vector<std::string>& notes, vtkFieldData* fieldData);

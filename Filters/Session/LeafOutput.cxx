@@ -40,13 +40,15 @@ void Describe(
       std::to_string(carved.LeftByBudget) + (D == 3 ? " tetrahedra" : " triangles") +
       " that would exceed it: the last level is not the input.");
   }
-  DescribeDecomposition(leaf.Reply, notes);
+  DescribeDecomposition(leaf.Reply, D, notes);
   if (carved.GuessedRegions > 0)
   {
     notes.push_back("The input is open or inconsistently oriented: whether " +
       std::to_string(carved.GuessedRegions) + " of its enclosed regions are solid is a guess.");
   }
-  if (carved.Profile.LastStep() == 0 && carved.LeftByBudget == 0)
+  const std::vector<char>& kept = leaf.Reply.Result.Kept;
+  if (carved.Profile.LastStep() == 0 && carved.LeftByBudget == 0 &&
+    std::count(kept.begin(), kept.end(), 1) == 0)
   {
     notes.push_back("The input is its own initial approximation: there is nothing to carve.");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session/MemoryNeed.h"
 
+#include "Core/Mesh/CornerPoints.h"
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
@@ -10,9 +11,9 @@
 namespace
 {
 
-/** The number of distinct points. */
-std::size_t CountDistinct(std::vector<carving::Point> points)
+std::size_t CountVertices(const carving::TriangleMesh& mesh)
 {
+  std::vector<carving::Point> points = carving::CornerPoints(mesh);
   std::sort(points.begin(), points.end());
   return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
 }
@@ -67,8 +68,8 @@ std::string CheckMemory(const carving::Job& job)
   {
     return {};
   }
-  // Points may be repeated, one for each triangle. Counting others takes time.
-  const std::size_t vertices = CountDistinct(job.Mesh.Points);
+  // Points may be repeated, one for each triangle, or belong to none. Counting others takes time.
+  const std::size_t vertices = CountVertices(job.Mesh);
   const MemoryNeed need = needOf(vertices);
   if (!isTooMuch(need))
   {

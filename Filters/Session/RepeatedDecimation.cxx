@@ -2,6 +2,7 @@
 #include "Session/RepeatedDecimation.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/CornerPoints.h"
 #include "Session/TighterTrials.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ using carving::DecimationOptions;
  * The options for a second run, which has no targets if nothing is to be gained. Numbers that are
  * out of reach are left out: they come last.
  */
-DecimationOptions PlanSecondRun(const carving::Job& job, const carving::Decimation& first)
+DecimationOptions PlanSecondRun(
+  const carving::Job& job, double diagonal, const carving::Decimation& first)
 {
   DecimationOptions options = job.Decimation;
   options.Targets.clear();
@@ -31,7 +33,7 @@ DecimationOptions PlanSecondRun(const carving::Job& job, const carving::Decimati
     constexpr double notVisible = 1e-4; // of the diagonal
     const DecimatedSurface& coarsest = first.Surfaces[options.Targets.size() - 1];
     const bool hasEnough = coarsest.Collapses == 0; // the given surface
-    if (hasEnough || coarsest.Error <= notVisible * carving::Diagonal(job.Mesh.Points))
+    if (hasEnough || coarsest.Error <= notVisible * diagonal)
     {
       options.Targets.clear();
     }
@@ -64,8 +66,9 @@ HelperProcess::Outcome RepeatedDecimation::Run(
   const carving::Job& job, const HelperProcess::Observer& observer, std::string& error)
 {
   constexpr double firstShare = 0.2; // of the time
+  const std::vector<carving::Point> points = carving::CornerPoints(job.Mesh);
   const bool mayRepeat = job.Decimation.Type != carving::DecimationTarget::ErrorBound &&
-    job.Mesh.Points.size() <= DecimationOptions::ManyVertices;
+    points.size() <= DecimationOptions::ManyVertices;
   const double begin = mayRepeat ? firstShare : 1.0;
   HelperProcess::Outcome outcome = this->RunOnce(job, 0.0, begin, observer, error);
   if (outcome != HelperProcess::Outcome::Success || !mayRepeat)
@@ -73,7 +76,7 @@ HelperProcess::Outcome RepeatedDecimation::Run(
     return outcome;
   }
   carving::Job second = job;
-  second.Decimation = PlanSecondRun(job, this->Results[0]);
+  second.Decimation = PlanSecondRun(job, carving::Diagonal(points), this->Results[0]);
   if (second.Decimation.Targets.empty())
   {
     return outcome;

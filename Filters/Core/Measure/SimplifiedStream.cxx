@@ -53,9 +53,18 @@ double TargetOf(const SimplifiedStream& stream, const SimplifiedLevel& level, Le
     : CountAfter(stream.Steps[level.Chain].Chain, type, level.Collapses);
 }
 
+/** Whether a level has no more vertices or triangles than the number. */
+bool IsMet(
+  const SimplifiedStream& stream, const SimplifiedLevel& level, const SimplifiedTarget& number)
+{
+  const CollapseChain& chain = stream.Steps[level.Chain].Chain;
+  return CountAfter(chain, number.Type, level.Collapses) <= number.Value;
+}
+
 /**
- * The level of a later step, if the step of the given one has fewer than the number by itself: of
- * the first one that has not, or, where that cannot be brought down to the number, of one between.
+ * Where the step of the given level has fewer vertices or triangles than the number, finds a later
+ * step: the first that has as many. If that step cannot be decimated to the number, the last step
+ * before it that can is taken.
  */
 SimplifiedLevel UseNumber(
   const SimplifiedStream& stream, const SimplifiedLevel& given, const SimplifiedTarget& target)
@@ -86,7 +95,10 @@ SimplifiedLevel UseNumber(
   return best;
 }
 
-/** The level from the candidates, coarse to fine, for a number of vertices or triangles. */
+/**
+ * The level from the candidates, coarse to fine, for a number of vertices or triangles: if none gets
+ * there, the one that comes closest.
+ */
 SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
   const std::vector<SimplifiedLevel>& candidates, const SimplifiedTarget& target)
 {
@@ -95,17 +107,25 @@ SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
     { return TargetOf(stream, level, target.Type) >= target.Value; });
   const bool beyondTargets = next == candidates.end();
   next = beyondTargets ? next - 1 : next;
+  const auto leastOf = [&](const SimplifiedLevel& level)
+  {
+    const CollapseChain& chain = stream.Steps[level.Chain].Chain;
+    return CountAfter(chain, target.Type, chain.Collapses);
+  };
+  auto closest = next;
   for (auto level = next + 1; level-- != candidates.begin();)
   {
     const CollapseChain& chain = stream.Steps[level->Chain].Chain;
     const int collapses = CollapsesFor(chain, target.Type, target.Value);
+    closest = leastOf(*level) < leastOf(*closest) ? level : closest;
     if (collapses <= chain.Collapses)
     {
       const SimplifiedLevel selected = { level->Chain, collapses };
       return beyondTargets ? UseNumber(stream, selected, target) : selected;
     }
   }
-  return *next;
+  const int all = stream.Steps[closest->Chain].Chain.Collapses;
+  return closest->Collapses == all ? *closest : SimplifiedLevel{ closest->Chain, all };
 }
 
 std::string DescribeMiss(
@@ -118,8 +138,7 @@ std::string DescribeMiss(
     problem << "No stored simplified level is within " << target.Value
             << " of the mesh: the closest one is within " << level.Error << ".";
   }
-  else if (target.Type != LevelTarget::ErrorBound &&
-    CountAfter(chain, target.Type, level.Collapses) > target.Value)
+  else if (target.Type != LevelTarget::ErrorBound && !IsMet(stream, level, target))
   {
     problem << "The target of " << target.Value
             << " is out of reach: the coarsest stored simplified level has "
@@ -174,9 +193,13 @@ SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const Simpli
       "target." };
   }
   SelectedLevel selected;
+  // For a number that is out of reach, the level of another target may come closer.
   const auto made = std::find_if(candidates.begin(), candidates.end(),
     [&](const SimplifiedLevel& level)
-    { return TargetOf(stream, level, target.Type) == target.Value; });
+    {
+      return TargetOf(stream, level, target.Type) == target.Value &&
+        (target.Type == LevelTarget::ErrorBound || IsMet(stream, level, target));
+    });
   if (made != candidates.end())
   {
     selected.Level = *made;

@@ -63,8 +63,8 @@ struct DecimationOptions
   /** From the finest to the coarsest: numbers that fall, or error bounds that rise. */
   std::vector<double> Targets;
   /**
-   * Per number, the largest distance from the mesh that a new face may have, in ascending order.
-   * Empty: no bounds. A search from below finds the least bound that leads to the number. A number
+   * Per number, the largest distance from the mesh that a new face may have, but no less than for
+   * the numbers before, since all surfaces are one series of collapses. Empty: no bounds. A search from below finds the least bound that leads to the number. A number
    * is given up where there is no hope for it.
    */
   std::vector<double> Bounds;

@@ -162,7 +162,9 @@ bool TargetSeries::Reach(std::size_t i)
     this->TheDecimator.RaiseErrorBound(target / 1.01);
     return this->ReachWithinBound(target, true);
   }
-  const double greatest = this->Options.Bounds.empty() ? HUGE_VAL : this->Options.Bounds[i];
+  const std::vector<double>& bounds = this->Options.Bounds;
+  const double greatest =
+    bounds.empty() ? HUGE_VAL : *std::max_element(bounds.begin(), bounds.begin() + i + 1);
   BoundSearch search(greatest, this->OwnError);
   std::optional<double> bound = search.First();
   bool reached = false;

@@ -119,6 +119,23 @@ TEST(SimplifiedStream, SaysWhatIsOutOfReach)
   EXPECT_NE(problem.find("out of reach"), std::string::npos);
 }
 
+// Where no step gets down to a number, the level with the fewest vertices is given, whatever it was
+// made for.
+TEST(SimplifiedStream, GivesTheCoarsestOfThoseOutOfReach)
+{
+  SimplifiedStream stream;
+  stream.Steps = { MakeStep(5, 1000, 765), MakeStep(10, 2000, 1500) }; // to 235, and to 500
+  stream.Levels = { { 0, 765, 4.0, 10, 50.0 }, { 1, 1500, 2.0, 10, 500.0 } };
+  for (const double number : { 20.0, 50.0, 100.0, 234.0 })
+  {
+    const auto [level, problem] = Select(stream, number);
+    EXPECT_EQ(CountVertices(stream, level), 235) << number;
+    EXPECT_EQ(level.Error, 4.0);
+    EXPECT_NE(problem, "");
+  }
+  EXPECT_EQ(Select(stream, 235.0).Problem, "");
+}
+
 // Up to an early step, only levels of steps up to that one count; without any, there is none.
 TEST(SimplifiedStream, ObeysTheLastStep)
 {
@@ -158,11 +175,8 @@ TEST(SimplifiedStream, KeepsStepsInOrder)
     {
       const SelectedLevel selected = Select(stream, number, LevelTarget::Vertices, 100);
       EXPECT_TRUE(CountVertices(stream, selected.Level) <= number || !selected.Problem.empty());
-      if (selected.Problem.empty())
-      {
-        EXPECT_LE(stream.Steps[selected.Level.Chain].Step, lastStep);
-        lastStep = stream.Steps[selected.Level.Chain].Step;
-      }
+      EXPECT_LE(stream.Steps[selected.Level.Chain].Step, lastStep);
+      lastStep = stream.Steps[selected.Level.Chain].Step;
     }
   }
 }

@@ -11,11 +11,14 @@
 #include "vtkEnclosingDecimation.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -103,12 +106,62 @@ TEST(EnclosingDecimation, PassesPointDataOn)
 TEST(EnclosingDecimation, KeepsAnErrorBound)
 {
   vtkNew<vtkEnclosingDecimation> filter;
-  filter->SetInputData(Sphere());
+  const auto sphere = Sphere();
+  filter->SetInputData(sphere);
   filter->SetTargetType(vtkEnclosingDecimation::ERROR_BOUND);
   filter->SetTarget(0.05);
   filter->Update();
-  EXPECT_LE(GetValue(filter->GetOutput(), "Error"), 0.05);
-  EXPECT_LT(filter->GetOutput()->GetNumberOfPoints(), 300);
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_LE(GetValue(output, "Error"), 0.05);
+  EXPECT_LT(output->GetNumberOfPoints(), 300);
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(sphere);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_LE(distance->EvaluateFunction(output->GetPoint(i)), 0.05); // positive outside
+  }
+}
+
+// Arrays without a value for each point are left out, and those with names of the filter's arrays are
+// renamed, with notes.
+TEST(EnclosingDecimation, PassesOnArraysAsTheCarverDoes)
+{
+  const auto sphere = Sphere();
+  vtkNew<vtkStringArray> words;
+  words->SetName("Short");
+  words->InsertNextValue("one");
+  sphere->GetPointData()->AddArray(words);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("vtkOriginalPointIds");
+  ids->SetNumberOfTuples(sphere->GetNumberOfPoints());
+  ids->Fill(7);
+  sphere->GetPointData()->AddArray(ids);
+  vtkNew<vtkEnclosingDecimation> filter;
+  filter->SetInputData(sphere);
+  filter->SetTarget(100);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  EXPECT_FALSE(output->GetPointData()->HasArray("Short"));
+  EXPECT_EQ(output->GetPointData()->GetArray("InputvtkOriginalPointIds")->GetRange()[1], 7.0);
+  auto* notes = vtkStringArray::SafeDownCast(output->GetFieldData()->GetAbstractArray("Notes"));
+  ASSERT_TRUE(notes);
+  EXPECT_EQ(notes->GetNumberOfValues(), 2);
+}
+
+// Points that no polygon uses, with any coordinates, change nothing.
+TEST(EnclosingDecimation, IgnoresUnusedPoints)
+{
+  const carving::TriangleMesh sphere = models::Sphere(3);
+  carving::TriangleMesh more = sphere;
+  more.Points.resize(40000, { 1e6, NAN, 0.0 });
+  vtkNew<vtkEnclosingDecimation> filter, other;
+  filter->SetInputData(ToPolyData(sphere));
+  other->SetInputData(ToPolyData(more));
+  filter->SetTarget(100);
+  other->SetTarget(100);
+  filter->Update();
+  other->Update();
+  EXPECT_EQ(GetValue(other->GetOutput(), "Error"), GetValue(filter->GetOutput(), "Error"));
 }
 
 // A target out of reach gives the coarsest surface and a warning.

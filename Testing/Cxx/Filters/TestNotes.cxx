@@ -117,7 +117,7 @@ TEST(CarverNotes, NamesTheLimit)
   carving::Reply reply;
   reply.Limits = "TetGen took longer than 2 s\n";
   std::vector<std::string> notes;
-  DescribeDecomposition(reply, notes);
+  DescribeDecomposition(reply, 3, notes);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0],
     "The result depends on a limit: TetGen took longer than 2 s. With a higher limit, the result "

@@ -212,19 +212,15 @@ TEST(TrialPlans, StayNearABound)
   EXPECT_EQ(steps, (std::vector<int>{ 75, 80 }));
 }
 
-// Where all steps are farther than an error bound, only steps of the stream are tried.
-TEST(TrialPlans, EndAtTheLastStepWhereABoundIsOutOfReach)
+// Where all steps are farther than an error bound, none is tried.
+TEST(TrialPlans, AreEmptyWhereABoundIsOutOfReach)
 {
   carving::Profile profile = TunnelAtEachStep();
   for (double& error : profile.Error)
   {
     error += 100.0;
   }
-  for (const LevelTrial& trial :
-    PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }, {}))
-  {
-    EXPECT_LE(trial.Step, LastStep);
-  }
+  EXPECT_TRUE(PlanTrials(profile, { { LevelTarget::ErrorBound, LastStep, 20.0, {} } }, {}).empty());
 }
 
 // Steps are tried from fine to coarse for numbers, but from coarse to fine for a single error

@@ -102,21 +102,29 @@ void CountIntersections(const Job& job, Reply& reply)
   reporter.End();
 }
 
-/** Adds points that help to close cracks of M by the rule. An enclosing result stays as it is. */
+/** Adds points that help to close cracks of M by the rule. */
 void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
 {
   Tetrahedralization& result = reply.Result;
-  if (!reply.Error.empty() || !result.Kept.empty() || IsClosed(result.Surface))
+  if (!reply.Error.empty() || IsClosed(result.GetInput()))
   {
     return;
   }
   reporter.Begin(Stage::Classify);
   Tetrahedralization split;
-  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.Surface), split) > 0)
+  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split) > 0)
   {
-    reply.SolidMatters = 1; // another rule may close other cracks, or none
-    Tetrahedralization sealed = split;
-    if (SealCracks(sealed, job.Solid, job.Processes) > 0)
+    bool isOfUse = false;
+    for (const SolidRule rule : { SolidRule::NonzeroWinding, SolidRule::EvenOdd })
+    {
+      Tetrahedralization sealed = split;
+      if (SealCracks(sealed, rule, job.Processes) > 0)
+      {
+        reply.SolidMatters = 1; // another rule may close other cracks, or none
+        isOfUse = isOfUse || rule == job.Solid;
+      }
+    }
+    if (isOfUse)
     {
       result = std::move(split);
     }

@@ -78,22 +78,6 @@ TriangleMesh Rotated(TriangleMesh mesh, std::mt19937_64& random)
   return mesh;
 }
 
-TriangleMesh TorusInTwoParts(double step, double height, std::mt19937_64& random)
-{
-  std::uniform_real_distribution<double> along(-step, step);
-  TriangleMesh below = Torus(1.0, 0.4, 12, 8), above = below;
-  const auto isAbove = [points = below.Points, height](const Triangle& t)
-  { return points[t[0]][2] + points[t[1]][2] + points[t[2]][2] > 3.0 * height; };
-  const auto remove = [](std::vector<Triangle>& triangles, const auto& predicate)
-  {
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), predicate), triangles.end());
-  };
-  remove(below.Triangles, isAbove);
-  remove(above.Triangles, [&isAbove](const Triangle& t) { return !isAbove(t); });
-  const double x = along(random), y = along(random), z = along(random);
-  return Rotated(Joined(below, Moved(above, { x, y, z })), random);
-}
-
 int NumberOfCases(const char* variable, int slice)
 {
 #ifdef __SANITIZE_ADDRESS__

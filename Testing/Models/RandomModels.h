@@ -50,13 +50,6 @@ TriangleMesh Discs(int n, std::mt19937_64& random);
 /** A mesh, rotated at random about the origin. */
 TriangleMesh Rotated(TriangleMesh mesh, std::mt19937_64& random);
 
-/**
- * A rotated torus of triangles that are above a height and others below, where one part has been
- * moved by up to `step` in each direction. At heights other than 0, the border between the parts
- * divides quads of two triangles each.
- */
-TriangleMesh TorusInTwoParts(double step, double height, std::mt19937_64& random);
-
 /** A mesh and a copy of it whose coordinates differ by up to `noise`. */
 TriangleMesh Doubled(const TriangleMesh& mesh, double noise, std::mt19937_64& random);
 

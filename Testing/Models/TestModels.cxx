@@ -4,6 +4,7 @@
  * The models are as their headers describe. Topology is computed from scratch, simplex by simplex.
  */
 #include "Core/Mesh/DisjointSets.h"
+#include "CrackedModels.h"
 #include "Figures.h"
 #include "Implicit.h"
 #include "PointMath.h"
@@ -221,4 +222,26 @@ TEST(FigureModels, AreTheSameEveryTime)
     EXPECT_EQ(first[i].Points, second[i].Points);
     EXPECT_EQ(first[i].Triangles, second[i].Triangles);
   }
+}
+
+// The rectangles around voxels enclose as much as the voxels.
+TEST(CrackedModels, VoxelsHaveTheirVolume)
+{
+  std::mt19937_64 random(1);
+  for (int n = 1; n < 6; ++n)
+  {
+    const Voxels voxels = RandomVoxels(n, 0.5, random);
+    EXPECT_GT(voxels.Count, 0);
+    EXPECT_NEAR(SixVolume(voxels.Surface) / 6.0, voxels.Count, 1e-4);
+  }
+}
+
+// Hanging nodes add vertices and triangles, but no volume.
+TEST(CrackedModels, HangingNodesKeepTheVolume)
+{
+  std::mt19937_64 random(2);
+  const TriangleMesh torus = Torus(1.0, 0.4, 12, 8);
+  const TriangleMesh hanging = WithHangingNodes(torus, 2, random);
+  EXPECT_GT(hanging.Triangles.size(), 2 * torus.Triangles.size());
+  EXPECT_NEAR(SixVolume(hanging), SixVolume(torus), 1e-5);
 }

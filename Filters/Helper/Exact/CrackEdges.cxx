@@ -148,11 +148,30 @@ Edges FindCandidates(const Tetrahedralization& mesh, int first, const Edges& cra
   return candidates;
 }
 
-/** Where edges with points from `first` on pass through cracks, except for edges of M. */
-Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& edgesOfM,
-  const Edges& cracks, double width)
+double DistanceFromLine(const std::vector<Point>& points, const Edge& line, const Point& p)
+{
+  const Point along = points[line[1]] - points[line[0]];
+  return Length(Cross(along, p - points[line[0]])) / Length(along);
+}
+
+/** Whether both ends of an edge are farther from the line of a crack than the crack is wide. */
+bool LeavesCrack(
+  const std::vector<Point>& points, const Edge& edge, const Edge& crack, double width)
+{
+  return std::all_of(edge.begin(), edge.end(),
+    [&](int end) { return DistanceFromLine(points, crack, points[end]) > 2.0 * width; });
+}
+
+/**
+ * Where edges with points from `first` on pass through cracks. Edges of M do so only if they are
+ * rims, which pass each other where a vertex lies on both.
+ */
+Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cracks, double width)
 {
   const std::vector<Point>& points = mesh.Surface.Points;
+  const Edges edgesOfM = FindEdges(mesh.Surface);
+  const auto has = [](const Edges& edges, const Edge& edge)
+  { return std::binary_search(edges.begin(), edges.end(), edge); };
   const Edges candidates = FindCandidates(mesh, first, cracks, width);
   Passages passages;
   VisitPairs(WidenedBoxes(points, candidates, 0.0), WidenedBoxes(points, cracks, width),
@@ -160,7 +179,7 @@ Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& ed
     {
       const Edge& edge = candidates[i];
       const std::optional<Passage> passage = FindPassage(points, edge, cracks[k], width);
-      if (passage && !std::binary_search(edgesOfM.begin(), edgesOfM.end(), edge))
+      if (passage && (!has(edgesOfM, edge) || LeavesCrack(points, edge, cracks[k], width)))
       {
         Passage& best = passages.try_emplace(edge, *passage).first->second;
         best = std::min(best, *passage,
@@ -175,13 +194,12 @@ Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& ed
 int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrahedralization& split)
 {
   constexpr int rounds = 4; // an edge may pass through several cracks
-  const Edges edges = FindEdges(mesh.Surface);
-  const Edges cracks = FindCracks(mesh.Surface.Points, FindRims(edges), width);
+  const Edges cracks = FindCracks(mesh.Surface.Points, FindRims(FindEdges(mesh.GetInput())), width);
   if (cracks.empty())
   {
     return 0;
   }
-  Passages passages = FindPassages(mesh, 0, edges, cracks, width);
+  Passages passages = FindPassages(mesh, 0, cracks, width);
   if (passages.empty())
   {
     return 0;
@@ -200,7 +218,7 @@ int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrah
       added += splitter.Split(edge, passage.Share, 0.25 * width);
     }
     splitter.Finish();
-    passages = FindPassages(split, first, edges, cracks, width);
+    passages = FindPassages(split, first, cracks, width);
   }
   return added;
 }

@@ -89,6 +89,7 @@ void EdgeSplitter::SplitAt(const Edge& edge, int point)
 {
   const std::vector<int> ring = this->CellsAround.at(edge);
   this->CellsAround.erase(edge);
+  this->UpperFacets.clear();
   const int first = static_cast<int>(this->Mesh.Cells.size());
   for (const int lower : ring)
   {
@@ -115,6 +116,11 @@ int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
   cells.push_back(cells[lower]);
   neighbors.push_back(neighbors[lower]);
   this->Constraints.push_back(this->Constraints[lower]);
+  if (!this->Mesh.Kept.empty())
+  {
+    this->Mesh.Kept.push_back(this->Mesh.Kept[lower]);
+  }
+  this->SplitFacets(lower, upper, edge, point);
   cells[lower][atB] = point;
   cells[upper][atA] = point;
   // The face opposite to the lower end is one of the upper part.
@@ -127,6 +133,31 @@ int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
   neighbors[upper][atB] = lower;
   this->Constraints[lower][atA] = this->Constraints[upper][atB] = -1;
   return upper;
+}
+
+/** Splits the facets at the edge on which faces of a cell lie, unless another cell has done so. */
+void EdgeSplitter::SplitFacets(int lower, int upper, const Edge& edge, int point)
+{
+  ResolvedMesh& surface = this->Mesh.Surface;
+  for (const int opposite :
+    OtherCorners(this->CornerOf(lower, edge[0]), this->CornerOf(lower, edge[1])))
+  {
+    const int facet = this->Constraints[lower][opposite];
+    if (facet < 0)
+    {
+      continue;
+    }
+    const auto [entry, isNew] =
+      this->UpperFacets.emplace(facet, static_cast<int>(surface.Facets.size()));
+    if (isNew)
+    {
+      Triangle part = surface.Facets[facet];
+      std::replace(part.begin(), part.end(), edge[0], point);
+      AppendFacet<3>(surface, facet, part, surface);
+      std::replace(surface.Facets[facet].begin(), surface.Facets[facet].end(), edge[1], point);
+    }
+    this->Constraints[upper][opposite] = entry->second;
+  }
 }
 
 /** Takes over for the other edges of a cell that it will be divided at one of them. */

@@ -11,7 +11,7 @@
 namespace carving::helper
 {
 
-/** Splits edges of a tetrahedralization that are no edges of M, and the tetrahedra around them. */
+/** Splits edges of a tetrahedralization, and the tetrahedra and facets of M around them. */
 class EdgeSplitter
 {
 public:
@@ -26,7 +26,7 @@ public:
    */
   bool Split(const Edge& edge, double share, double room);
 
-  /** Hands the facets on which faces lie over to the mesh, which lacks them before. */
+  /** Hands the facets on which faces lie over to the mesh, which has the old ones before. */
   void Finish();
 
 private:
@@ -34,11 +34,13 @@ private:
   bool MaySplitAt(const Edge& edge, const Point& p) const;
   void SplitAt(const Edge& edge, int point);
   int SplitCell(int lower, const Edge& edge, int point);
+  void SplitFacets(int lower, int upper, const Edge& edge, int point);
   void UpdateCellsAround(int lower, int upper, const Edge& edge);
 
   Tetrahedralization& Mesh;
   std::vector<FaceConstraints<3>::Facets> Constraints; ///< per cell
   std::map<Edge, std::vector<int>> CellsAround;        ///< of the edges that can be split
+  std::map<int, int> UpperFacets; ///< of the facets at the last edge: the parts at its upper end
 };
 
 } // namespace carving::helper

@@ -4,6 +4,7 @@
  * The results that a filter keeps between updates, and when the helper program must run again.
  */
 #include "FilterTesting.h"
+#include "CrackedModels.h"
 #include "RandomModels.h"
 
 #include "vtkCellArray.h"

@@ -6,6 +6,7 @@
 #include "GltfReader.h"
 #include "Objects.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
@@ -84,9 +85,11 @@ std::string ReadInput(
   vtkNew<vtkMultiBlockDataSet> meshes;
   std::string error = CheckFile(fileName);
   error = error.empty() ? read(fileName, log, meshes) : error;
-  if (error.empty() && meshes->GetNumberOfBlocks() == 0)
+  // The filter says what is wrong with other data.
+  const std::vector<vtkPolyData*> all = vtkCompositeDataSet::GetDataSets<vtkPolyData>(meshes);
+  if (error.empty() && all.size() == meshes->GetNumberOfBlocks())
   {
-    error = "it contains no polygon, or is not of the format that its name says";
+    error = CheckCells(all, wanted);
   }
   const bool isSingle =
     meshes->GetNumberOfBlocks() == 1 && vtkPolyData::SafeDownCast(meshes->GetBlock(0));

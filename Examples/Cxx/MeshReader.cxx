@@ -52,6 +52,22 @@ std::string ReadCarefullyWith(const std::string& fileName, ErrorLog* log, vtkPol
   return ReadCarefully([&] { return ReadWith<Reader>(fileName, log, mesh); });
 }
 
+/** Reads a copy of a file, which `write` fills and `read` reads. */
+template <class Write, class Read>
+std::string ReadCopy(const Write& write, const Read& read)
+{
+  const TemporaryFile copy("carve-input");
+  if (!copy.IsOpen())
+  {
+    return "no file for a copy could be opened in " + TemporaryFile::GetPlace();
+  }
+  std::ofstream out(copy.GetPath(), std::ios::binary);
+  write(out);
+  out.close();
+  return out ? read(copy.GetPath())
+             : "there is not enough room for a copy in " + TemporaryFile::GetPlace();
+}
+
 std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
 {
   const auto [mistake, isUnusual] = ObjFile::Check(fileName);
@@ -59,32 +75,31 @@ std::string ReadObj(const std::string& fileName, ErrorLog* log, vtkPolyData* mes
   {
     return ReadWith<vtkOBJReader>(fileName, log, mesh);
   }
-  const TemporaryFile copy("carve-input");
-  if (!copy.IsOpen())
-  {
-    return "no file for a copy could be opened in " + TemporaryFile::GetPlace();
-  }
-  std::ofstream out(copy.GetPath(), std::ios::binary);
-  const auto copyTo = mistake.empty() ? &ObjFile::Copy : &ObjFile::CopyWithoutAttributes;
-  copyTo(fileName, out);
-  out.close();
-  if (!out)
-  {
-    return "there is not enough room for a copy in " + TemporaryFile::GetPlace();
-  }
   if (!mistake.empty())
   {
     log->Warnings.push_back("Texture coordinates, normals and faces of fewer than three corners "
                             "are left out: " +
       mistake + ".");
   }
-  return ReadWith<vtkOBJReader>(copy.GetPath(), log, mesh);
+  const auto copyTo = mistake.empty() ? &ObjFile::Copy : &ObjFile::CopyWithoutAttributes;
+  return ReadCopy([&](std::ostream& out) { copyTo(fileName, out); },
+    [&](const std::string& copy) { return ReadWith<vtkOBJReader>(copy, log, mesh); });
 }
 
 std::string ReadPly(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
 {
   const std::string mistake = PlyFile::FindMistake(fileName);
-  return mistake.empty() ? ReadCarefullyWith<vtkPLYReader>(fileName, log, mesh) : mistake;
+  if (!mistake.empty())
+  {
+    return mistake;
+  }
+  const auto read = [&](const std::string& name)
+  { return ReadCarefullyWith<vtkPLYReader>(name, log, mesh); };
+  return PlyFile::EndsWithinALine(fileName)
+    ? ReadCopy([&](std::ostream& out)
+        { out << std::ifstream(fileName, std::ios::binary).rdbuf() << '\n'; },
+        read)
+    : read(fileName);
 }
 
 std::string ReadStl(const std::string& fileName, ErrorLog* log, vtkPolyData* mesh)
@@ -203,6 +218,21 @@ std::string CheckFile(const std::string& fileName)
     : "it is not a readable file";
 }
 
+std::string CheckCells(const std::vector<vtkPolyData*>& meshes, Wanted wanted)
+{
+  const auto any = [&meshes](const auto& predicate)
+  { return std::any_of(meshes.begin(), meshes.end(), predicate); };
+  const bool hasLines = any([](vtkPolyData* mesh) { return mesh->GetNumberOfLines() > 0; });
+  const bool hasPolygons = any([](vtkPolyData* mesh)
+    { return mesh->GetNumberOfPolys() > 0 || mesh->GetNumberOfStrips() > 0; });
+  if (hasPolygons || (hasLines && wanted == Wanted::Contours))
+  {
+    return {};
+  }
+  return hasLines ? "it holds lines and no polygon; for contours in a plane there is --contours"
+                  : "it contains no polygon, or is not of the format that its name says";
+}
+
 std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, vtkPolyData* mesh)
 {
   std::string error = CheckFile(fileName);
@@ -220,12 +250,5 @@ std::string ReadMesh(const std::string& fileName, Wanted wanted, ErrorLog* log, 
   MakeNamesReadable(mesh->GetPointData());
   MakeNamesReadable(mesh->GetCellData());
   MakeNamesReadable(mesh->GetFieldData());
-  const bool hasLines = mesh->GetNumberOfLines() > 0;
-  if (error.empty() && mesh->GetNumberOfPolys() == 0 && mesh->GetNumberOfStrips() == 0 &&
-    !(hasLines && wanted == Wanted::Contours))
-  {
-    return hasLines ? "it holds lines and no polygon; for contours in a plane there is --contours"
-                    : "it contains no polygon, or is not of the format that its name says";
-  }
-  return error;
+  return error.empty() ? CheckCells({ mesh }, wanted) : error;
 }

@@ -3,6 +3,7 @@
 #define MeshReader_h
 
 #include <string>
+#include <vector>
 
 class ErrorLog;
 class vtkPolyData;
@@ -16,6 +17,9 @@ enum class Wanted
 
 /** Returns an empty string, or the reason why a file cannot be read at all. */
 std::string CheckFile(const std::string& fileName);
+
+/** Returns an empty string, or the reason why there is nothing to carve in the meshes of a file. */
+std::string CheckCells(const std::vector<vtkPolyData*>& meshes, Wanted wanted);
 
 /**
  * Reads a polygonal mesh or contours. The end of the name determines the format: .obj, .ply, .stl,

@@ -28,3 +28,18 @@ std::string PlyFile::FindMistake(const std::string& fileName)
   }
   return {};
 }
+
+bool PlyFile::EndsWithinALine(const std::string& fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  std::string line;
+  while (std::getline(file, line) && line.compare(0, 6, "format") != 0)
+  {
+    if (line.compare(0, 10, "end_header") == 0)
+    {
+      return false;
+    }
+  }
+  return line.find("ascii") != std::string::npos && file.seekg(-1, std::ios::end) &&
+    file.peek() != '\n';
+}

@@ -14,6 +14,9 @@ namespace PlyFile
  */
 std::string FindMistake(const std::string& fileName);
 
+/** Whether a file is text without a line feed at its end, without which VTK's reader crashes. */
+bool EndsWithinALine(const std::string& fileName);
+
 } // namespace PlyFile
 
 #endif

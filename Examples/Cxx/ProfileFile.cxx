@@ -26,7 +26,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <memory>
 
 namespace
 {
@@ -145,9 +147,14 @@ bool WriteTable(const std::string& fileName, vtkTable* profile)
     columns->RemoveColumnByName("Error"); // not asked for
   }
   vtkNew<vtkDelimitedTextWriter> writer;
-  writer->SetFileName(fileName.c_str());
   writer->SetInputData(columns);
-  return writer->Write() != 0 && writer->GetErrorCode() == 0;
+  writer->WriteToOutputStringOn(); // the writer does not notice a full disk
+  writer->Write();
+  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
+  std::ofstream file(fileName, std::ios::binary);
+  file << text.get();
+  file.close();
+  return file.good();
 }
 
 } // namespace

@@ -130,7 +130,7 @@ class TestCarveDamage(CarveTestCase):
             os.symlink("/dev/full", self.path("out_0" + extension))
             self.expect_failure(self.run_carve(BONES, "-o", "out" + extension), 1, "cannot write out_0" + extension)
         for option, name in (("--stream", "full.vtu"), ("-o", "full.vtm"), ("-o", "full.vtpc"), ("-o", "full.glb"),
-                             ("--json", "full.json")):
+                             ("--json", "full.json"), ("--profile", "full.csv")):
             os.symlink("/dev/full", self.path(name))
             self.expect_failure(self.run_carve(BONES, option, name), 1, "cannot write " + name)
         with open("/dev/full", "w", encoding="ascii") as full:

@@ -12,8 +12,8 @@ import unittest
 
 from carve_testing import BONES, CarveTestCase, read
 from meshes import two_cubes
-from vtkmodules.vtkCommonCore import vtkDoubleArray
-from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_LINE, vtkCompositeDataSet, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkConvertToPartitionedDataSetCollection
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
@@ -48,6 +48,33 @@ class TestCarveReaders(CarveTestCase):
         shutil.copy(self.path("cubes.stl"), upper)
         sizes = {name: [row[2:4] for row in self.table(name)][-1] for name in names + [upper]}
         self.assertEqual(set(sizes.values()), {(16, 24)}, sizes)  # 8 vertices and 12 triangles per cube
+
+    def test_reads_ply_that_ends_within_a_line(self):
+        """The last line of a text may lack its line feed."""
+        text = (b"ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                b"element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                b"0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3")
+        with open(self.path("tetrahedron.ply"), "wb") as file:
+            file.write(text)
+        self.assertEqual(self.table("tetrahedron.ply"), [(0, 0, 4, 4, 1, 0, 0)])
+
+    def test_refuses_scenes_without_polygons(self):
+        """A scene of lines is refused like a single mesh of lines."""
+        line = vtkPolyData()
+        points = vtkPoints()
+        points.InsertNextPoint(0.0, 0.0, 0.0)
+        points.InsertNextPoint(1.0, 0.0, 0.0)
+        line.SetPoints(points)
+        line.AllocateEstimate(1, 2)
+        line.InsertNextCell(VTK_LINE, 2, [0, 1])
+        scene = vtkMultiBlockDataSet()
+        scene.SetBlock(0, line)
+        writer = vtkXMLMultiBlockDataWriter()
+        writer.SetFileName(self.path("lines.vtm"))
+        writer.SetInputData(scene)
+        self.assertEqual(writer.Write(), 1)
+        for options in ((), ("--stream", "s.vtu"), ("--decimate",)):
+            self.expect_failure(self.run_carve("lines.vtm", *options), 1, "it holds lines and no polygon")
 
     def test_reads_off(self):
         """OFF files may have comments, polygons, colors, and counts in the line of the header."""

@@ -3,8 +3,8 @@
  * @file
  * The results that a filter keeps between updates, and when the helper program must run again.
  */
-#include "FilterTesting.h"
 #include "CrackedModels.h"
+#include "FilterTesting.h"
 #include "RandomModels.h"
 
 #include "vtkCellArray.h"

@@ -70,6 +70,12 @@ ResolvedInput<D> ExtractInitialSurface(const Decomposition<D>& mesh, const Class
       surface.Facets.push_back(mesh.Surface.Facets[facet]);
     }
   }
+  // Roundings of distances depend on the order, which must not depend on what is stored.
+  for (auto& facet : surface.Facets)
+  {
+    std::sort(facet.begin(), facet.end());
+  }
+  std::sort(surface.Facets.begin(), surface.Facets.end());
   return surface;
 }
 

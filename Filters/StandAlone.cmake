@@ -29,7 +29,7 @@ vtk_module_build(
   CMAKE_DESTINATION   "${cmake_destination}"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/topologycarving"
   VERSION             "${PROJECT_VERSION}"
-  SOVERSION           1)
+  SOVERSION           "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 
 if (VTK_WRAP_PYTHON AND TARGET VTK::WrappingPythonCore)
   vtk_module_python_default_destination(python_destination)
@@ -71,7 +71,7 @@ configure_package_config_file(
   "${package_directory}/topologycarving-config.cmake"
   INSTALL_DESTINATION "${cmake_destination}")
 write_basic_package_version_file("${package_directory}/topologycarving-config-version.cmake"
-  COMPATIBILITY SameMajorVersion)
+  COMPATIBILITY SameMinorVersion)
 install(
   FILES
     "${package_directory}/topologycarving-config.cmake"

@@ -244,7 +244,8 @@ public:
    * that reaches the outside without crossing M is neither. The rules are not in the paper.
    * - NONZERO_WINDING (default): the regions where the winding number of M is at least one half in
    *   magnitude. Overlapping parts are solid throughout, whatever their orientation. The triangles
-   *   of a part count as oriented alike if each of its edges has two: those of less area are turned.
+   *   of a part count as oriented alike if each of its edges has two: those of less area are
+   *   turned.
    * - EVEN_ODD: the regions where the path of fewest crossings from the outside crosses an odd
    *   number of triangles. Orientation does not matter. Nested shells are alternately solid and
    *   hollow.
@@ -339,10 +340,10 @@ public:
    * EXACT mode, snapping is the last attempt; in AUTO mode, it comes before the mesh is only
    * enclosed. Whenever a mesh is enclosed, flat parts get other triangles, but no point is moved.
    * Snapping is without effect on a CUSTOM initial approximation and on contours. M is then the
-   * snapped mesh: levels enclose the snapped mesh, and the last level is the snapped mesh. The array
-   * `SnapDistance` of the field data has the largest distance that a point has been moved.
-   * If a mesh has many details that are smaller than the tolerance, only a finer grid can be used,
-   * or none.
+   * snapped mesh: levels enclose the snapped mesh, and the last level is the snapped mesh. The
+   * array `SnapDistance` of the field data has the largest distance that a point has been moved. If
+   * a mesh has many details that are smaller than the tolerance, only a finer grid can be used, or
+   * none.
    *
    * Range 0 to 1. The default, 1e-12, removes roundings: points that should be in one plane or in
    * one place, and crossings closer than TetGen can tell apart. Points in single precision stay

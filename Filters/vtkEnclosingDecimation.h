@@ -26,14 +26,16 @@
  * | 1 | vtkMultiBlockDataSet, "LOD 0", "LOD 1", ...: the surfaces of all targets, coarsest first |
  *
  * Points are doubles. Each surface has
- * - point data: those of the input; for new vertices, interpolated at the closest point of the
- *   input. `vtkOriginalPointIds` is the point of the input at the same position, or -1.
+ * - point data: those of the input, as the carver passes them on; for new vertices, interpolated at
+ *   the closest point of the input. `vtkOriginalPointIds` is the point of the input at the same
+ *   position, or -1.
  * - field data: `Vertices`, `NewVertices` (vertices that are not points of the input), `Triangles`,
  *   and `Error`, the largest distance of any point of the surface from the input, which is at most
- *   1 % too large, or more where the surface lies on slivers of the input.
+ *   1 % too large, or more where the surface lies on slivers of the input; `Notes`, an array of
+ *   strings, if there is anything to say about the input.
  *
- * Of composite input, the pipeline decimates each block by itself: port 0 has the tree of the input,
- * port 1 the surfaces of the last block alone.
+ * Of composite input, the pipeline decimates each block by itself: port 0 has the tree of the
+ * input, port 1 the surfaces of the last block alone.
  *
  * A target below the number at which no further edge can collapse gives the coarsest surface
  * that was reached, and a warning. Tunnels need vertices, and so do thin gaps.

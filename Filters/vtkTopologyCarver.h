@@ -52,8 +52,8 @@
  *   `KeptDistanceMean`, likewise: the distance of all but a hundredth of their surface, parts of
  *   the mesh apart, and the mean over this surface; `MetShare`, likewise: the share of the mesh's
  *   area that pierces no tetrahedron, so that the last level consists of it there; `SnapDistance`,
- *   only of a snapped mesh: the largest distance that a point was moved, that a new one has from the
- *   triangle that it divides, or that another triangle of a flat part has from the given ones.
+ *   only of a snapped mesh: the largest distance that a point was moved, that a new one has from
+ *   the triangle that it divides, or that another triangle of a flat part has from the given ones.
  * - field data, on size and topology: `Vertices`, `NewVertices`, `Triangles`; `FeatureSize`, the
  *   smallest priority popped up to this step, as a length, infinite for C0; `Components`, `Tunnels`
  *   and `Voids` of the closed complex K_i; `SurfaceComponents` and `SurfaceGenus` of the level's
@@ -160,10 +160,10 @@ public:
   vtkTypeMacro(vtkTopologyCarver, vtkCarverAlgorithm);
 
   /**
-   * Counts the pairs of triangles of a mesh that cross or overlap each other after equal points have
-   * been merged. Counting ends at 10 million pairs. The helper program does the work. Returns -1
-   * after an error, which is reported, such as that no triangle has an area. The properties, inputs
-   * and outputs of the filter play no part.
+   * Counts the pairs of triangles of a mesh that cross or overlap each other after equal points
+   * have been merged. Counting ends at 10 million pairs. The helper program does the work. Returns
+   * -1 after an error, which is reported, such as that no triangle has an area. The properties,
+   * inputs and outputs of the filter play no part.
    */
   int CountIntersectingPairs(vtkPolyData* mesh);
 

@@ -82,7 +82,7 @@ require_packages() {
 }
 
 # build NAME [CMAKE_OPTION...]: configures and builds everything, or only $targets, of the project or of the folder
-# $source, in a folder of that name. Unity builds take a quarter of the time, nearly all of which goes into headers.
+# $source, in a folder of that name. Unity builds take a third of the time, nearly all of which goes into headers.
 build() {
   local directory=$build_root/$1 log=$build_root/$1.log
   shift

@@ -13,7 +13,7 @@
 namespace
 {
 
-/** An array with a count for each step, which no step has fewer than. */
+/** An array with a count for each step, and the least valid count. */
 struct CountArray
 {
   const char* Name;

@@ -18,7 +18,10 @@ class vtkMultiProcessController;
 class vtkPolyData;
 struct TreeSummary;
 
-/** All processes must call the same functions in the same order. */
+/**
+ * All processes must call the same functions in the same order. If memory runs out on one of them,
+ * the others wait for it: a controller cannot end their calls.
+ */
 class ObjectExchange
 {
 public:

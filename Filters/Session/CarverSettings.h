@@ -30,7 +30,8 @@ struct CarverSettings : HelperSettings
   int NumberOfThreads = 1; ///< the most helper programs at a time
   int ThreadsOfLeaf = 1;   ///< that work on one leaf
   bool Simplify = false;   ///< whether levels are decimated
-  int MaximumVertices = 0; ///< of a simplified level whose target is no such number; 0: no limit
+  /** The most vertices of a simplified level whose target is no number of them; 0: no limit. */
+  int MaximumVertices = 0;
   /** The properties that a stream stores, by their names. */
   vtkSmartPointer<vtkFieldData> Stored;
 };

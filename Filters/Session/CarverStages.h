@@ -62,9 +62,9 @@ public:
   }
 
   /**
-   * Adds a run of the helper program: the seconds of its stages, and what remains of the whole run
-   * as transfer, but no more than the seconds that this process has spent on it. While others are
-   * carved, a run that has ended waits.
+   * Adds a run of the helper program. The time beyond its stages counts as transfer, up to the
+   * seconds that this process has spent on the run: a run that has ended may have waited while
+   * another leaf was carved.
    */
   void AddHelper(
     const std::vector<double>& secondsOfStages, double secondsOfRun, double ownSeconds);

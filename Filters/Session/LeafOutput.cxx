@@ -160,7 +160,7 @@ bool LeafOutput<D>::WriteLevels(
   for (std::size_t first = 0; first < steps.size(); first += levelsAtOnce)
   {
     const std::size_t end = std::min(first + levelsAtOnce, steps.size());
-    // Below, this thread may be too late to fill any level, and then does not report.
+    // In the loop below, other threads may fill all levels, so that this thread never reports.
     if (!this->Stages.Report(OutputStage, first / (steps.size() + 1.0)))
     {
       return false;

@@ -15,7 +15,10 @@ using carving::DecimatedSurface;
 using carving::LevelTarget;
 using carving::SimplifiedTarget;
 
-/** Whether a surface for `value` may be taken for a target: for this value, or a smaller number. */
+/**
+ * Whether a surface that was made for `value` may be used for a target: it was made for this
+ * target, or for a smaller number.
+ */
 bool MayServe(const DecimatedSurface& surface, double value, const SimplifiedTarget& target)
 {
   return value == target.Value || target.Type == LevelTarget::ErrorBound ||

@@ -17,9 +17,9 @@ struct MemoryNeed
   double Helper = 0.0; ///< of the helper program
 
   /**
-   * By measurements of closed meshes and of foliage, from 20,000 vertices on: the need of the helper
-   * within a tenth, and that of the host up to a fifth too high. Meshes whose triangles cross take
-   * more. `vertices` are distinct.
+   * By measurements of closed meshes and of foliage, from 20,000 vertices on: the need of the
+   * helper and of the host within a tenth. Meshes whose triangles cross take more. `vertices` are
+   * distinct.
    */
   static MemoryNeed Estimate(
     double vertices, double triangles, const carving::HelperOptions& options);

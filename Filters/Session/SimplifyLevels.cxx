@@ -66,7 +66,7 @@ void AddBestLevels(const std::vector<LevelTrial>& trials,
         { index, surface->Collapses, surface->Error, targets[i].LastStep, targets[i].Value });
     }
   }
-  // For numbers beyond the targets.
+  // The stream keeps the last step, too, for numbers above all targets.
   const auto last = std::find_if(trials.begin(), trials.end(),
     [&](const LevelTrial& trial)
     { return trial.Step == targets.back().LastStep && !trial.Result.Surfaces.empty(); });

@@ -68,7 +68,8 @@ void AddTargets(
 }
 
 /**
- * The end of the targets that a trial for one of them is worth: finer numbers, not finer bounds.
+ * The end of the range of targets for which a trial of one target is run: all finer numbers, but
+ * no finer bound.
  */
 TargetIterator FindEnd(const std::vector<SimplifiedTarget>& targets, TargetIterator target)
 {

@@ -16,8 +16,8 @@ constexpr const char* OutOfMemory =
   "or a machine with more memory.";
 
 /**
- * Whether `work` succeeds. If memory runs out, that is an error of the filter, whose message `where`
- * begins, and not a success.
+ * Whether `work` succeeds. If memory runs out, that is an error of the filter, whose message
+ * `where` begins, and not a success.
  */
 template <class Work>
 bool WithinMemory(vtkAlgorithm* filter, const std::string& where, Work&& work)

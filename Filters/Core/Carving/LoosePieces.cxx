@@ -55,7 +55,9 @@ public:
     }
   }
 
-  /** Adds a cell. Calls `visit` with each cell of loose pieces that now belong to the lasting one. */
+  /**
+   * Adds a cell. Calls `visit` with each cell of loose pieces that now belong to the lasting one.
+   */
   template <class Visitor>
   void Add(int cell, const typename Decomposition<D>::Cell& corners, Visitor&& visit)
   {

@@ -96,8 +96,8 @@ SimplifiedLevel UseNumber(
 }
 
 /**
- * The level from the candidates, coarse to fine, for a number of vertices or triangles: if none gets
- * there, the one that comes closest.
+ * The level from the candidates, coarse to fine, for a number of vertices or triangles: if none
+ * gets there, the one that comes closest.
  */
 SimplifiedLevel SelectByNumber(const SimplifiedStream& stream,
   const std::vector<SimplifiedLevel>& candidates, const SimplifiedTarget& target)

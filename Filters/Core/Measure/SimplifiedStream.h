@@ -78,11 +78,11 @@ struct SelectedLevel
 
 /**
  * The simplified level for a target, which need not be one of the targets that levels were made
- * for. A number gets the level of the decimated step that was best for the next larger target, or of
- * one for a smaller target where that step cannot be decimated to the number; if none can, of the
- * one with the fewest vertices. A number beyond all targets may get a later step. A lower number
- * thus never gets a later step than a higher one. An error bound gets the coarsest level that was
- * made within the bound.
+ * for. A number gets the level of the decimated step that was best for the next larger target, or
+ * of one for a smaller target where that step cannot be decimated to the number; if none can, of
+ * the one with the fewest vertices. A number beyond all targets may get a later step. A lower
+ * number thus never gets a later step than a higher one. An error bound gets the coarsest level
+ * that was made within the bound.
  */
 SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const SimplifiedTarget& target);
 

@@ -70,7 +70,7 @@ public:
     }
   }
 
-  /** Takes over that the box of an item, which was not empty at first, has changed. */
+  /** Updates the tree after the box of an item, which was not empty at first, has changed. */
   void Update(int item)
   {
     if (this->LeafOf.empty())

@@ -33,9 +33,9 @@ template <int D>
 std::vector<FacetCorners<D>> Halve(const FacetCorners<D>& face);
 
 /**
- * Some thousand queries tell the distance of a face. Only slivers in one plane with many facets need
- * more, up to billions. They are very close to the mesh then, so that their bound may be more than
- * 1 % too large.
+ * Some thousand queries tell the distance of a face. Only slivers in one plane with many facets
+ * need more, up to billions. They are very close to the mesh then, so that their bound may be more
+ * than 1 % too large.
  */
 constexpr int MostDistanceQueries = 20000;
 

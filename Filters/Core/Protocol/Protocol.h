@@ -64,8 +64,9 @@ struct DecimationOptions
   std::vector<double> Targets;
   /**
    * Per number, the largest distance from the mesh that a new face may have, but no less than for
-   * the numbers before, since all surfaces are one series of collapses. Empty: no bounds. A search from below finds the least bound that leads to the number. A number
-   * is given up where there is no hope for it.
+   * the numbers before, since all surfaces are one series of collapses. Empty: no bounds. A search
+   * from below finds the least bound that leads to the number. A number is given up where there is
+   * no hope for it.
    */
   std::vector<double> Bounds;
   /**
@@ -81,7 +82,7 @@ struct DecimationOptions
 struct DecimatedSurface
 {
   int Collapses = 0;
-  /** 0 if no further edge could collapse before the target, or the given surface is too far. */
+  /** 0 if the target is missed: no further edge could collapse, or the given surface is too far. */
   int Reached = 1;
   /** The largest distance from the enclosed mesh; at most 1 % too large, or more above slivers. */
   double Error = 0.0;

@@ -83,8 +83,8 @@ bool MarkAsked(
 }
 
 /**
- * The regions of a mesh that thin faces divide, and those among them that are solid. Regions on both
- * sides of a thin face are one set, unless one of them is thick and solid.
+ * The regions of a mesh that thin faces divide, and those among them that are solid. Regions on
+ * both sides of a thin face are one set, unless one of them is thick and solid.
  */
 class DividedRegions
 {

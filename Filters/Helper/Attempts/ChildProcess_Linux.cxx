@@ -100,7 +100,9 @@ void RestoreSignals()
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-/** An exception other than for memory ends the child at once: the callers' frames are the parent's. */
+/**
+ * An exception other than for memory ends the child at once: the callers' frames are the parent's.
+ */
 [[noreturn]] void RunChild(pid_t parent, const Limits& limits, double processorSeconds,
   const std::function<bool()>& work) noexcept
 {

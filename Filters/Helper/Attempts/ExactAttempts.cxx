@@ -166,8 +166,8 @@ bool ExactAttempts::TryFirst(const std::function<bool()>& isResolved)
 }
 
 /**
- * Tries M with other triangles in flat parts, with parts joined that touch but for rounding, and with
- * all points rounded.
+ * Tries M with other triangles in flat parts, with parts joined that touch but for rounding, and
+ * with all points rounded.
  */
 bool ExactAttempts::TrySnapped()
 {

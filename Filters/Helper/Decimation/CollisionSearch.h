@@ -29,7 +29,7 @@ public:
   /** Whether a face of a star may be a side of a sheet, whose other side is below the face. */
   bool MayCoverSheet(const Star& star) const;
 
-  /** Takes over that the faces of a star have changed or have been removed. */
+  /** Updates the search after faces of a star have changed or been removed. */
   void Update(const Star& star);
 
 private:

@@ -118,7 +118,7 @@ private:
   }
 
   void PushBound(HalfEdge edge);
-  /** Records that edges may collapse now that could not before. */
+  /** Lets the next Refill push all edges, since edges may collapse now that could not before. */
   void AllowRefill()
   {
     this->VerticesAtRefill = std::numeric_limits<double>::infinity();

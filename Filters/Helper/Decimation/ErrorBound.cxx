@@ -10,7 +10,7 @@ namespace
 {
 
 /**
- * Queries per face for the distances of new faces, which are turned away if these do not decide.
+ * The most queries for one new face. A face that is still undecided then is refused.
  * Large faces above fine facets take some hundred. With 64, surfaces kept up to five times as many
  * vertices.
  */

@@ -17,7 +17,7 @@ namespace carving::helper
  */
 constexpr double MostAboveTarget = 1.1;
 
-/** Foretells whether edges that do not collapse well will get a surface to its number. */
+/** Predicts whether a surface will reach its number once no edge collapses well. */
 class Hope
 {
 public:

@@ -38,8 +38,8 @@ public:
   void MoveTo(const Box& region);
 
   /**
-   * Whether `predicate` holds for box and corners of any triangle whose box `meets` accepts. It has
-   * to accept all boxes around an accepted one.
+   * Whether `predicate` holds for box and corners of any triangle whose box `meets` accepts.
+   * `meets` has to accept every box around a box that it accepts.
    */
   template <class BoxPredicate, class Predicate>
   bool Any(BoxPredicate&& meets, Predicate&& predicate) const

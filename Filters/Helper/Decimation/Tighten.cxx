@@ -15,9 +15,9 @@ namespace
 {
 
 /**
- * Vertices that tighten aim so far below the position of least error, in largest distances of their
- * faces. From there, the direction in which the volume falls fastest outweighs the error: the
- * surface ends closer to M on average.
+ * A vertex that is tightened aims below the position of least error, by this multiple of the
+ * largest distance of its faces. From there, the direction in which the volume falls fastest
+ * outweighs the error: the surface ends closer to M on average.
  */
 constexpr double Depths = 10.0;
 

@@ -122,8 +122,8 @@ TEST(EnclosingDecimation, KeepsAnErrorBound)
   }
 }
 
-// Arrays without a value for each point are left out, and those with names of the filter's arrays are
-// renamed, with notes.
+// Arrays without a value for each point are left out, and those with names of the filter's arrays
+// are renamed, with notes.
 TEST(EnclosingDecimation, PassesOnArraysAsTheCarverDoes)
 {
   const auto sphere = Sphere();

@@ -87,8 +87,8 @@ TEST(CarverNotes, NotesThatSolidIsAGuess)
   EXPECT_TRUE(Has(GetNotes(Carve(ToPolyData(WithTurned(models::Sphere(1), 12)))), "guess"));
 }
 
-// Cracks where vertices lie on edges of other triangles do not hollow out a box in single precision;
-// a note says how many triangles close them.
+// Cracks where vertices lie on edges of other triangles do not hollow out a box in single
+// precision; a note says how many triangles close them.
 TEST(CarverNotes, SaysThatCracksWereSealed)
 {
   std::mt19937_64 random(2);

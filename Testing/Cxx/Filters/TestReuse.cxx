@@ -199,8 +199,8 @@ TEST(Reuse, TetrahedralizesASnappedMeshAgain)
   EXPECT_FALSE(LastLevel(carver)->GetFieldData()->HasArray("SnapDistance"));
 }
 
-// Facets and points that close the solid across cracks are not left where another rule has no solid,
-// and come back with the solid.
+// Facets and points that close the solid across cracks are not left where another rule has no
+// solid, and come back with the solid.
 TEST(Reuse, DropsSealsWithTheSolid)
 {
   std::mt19937_64 random(2);

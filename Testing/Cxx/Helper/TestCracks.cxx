@@ -78,8 +78,8 @@ TEST(Cracks, AreClosedByThinFacets)
   EXPECT_LT(area, 1e-10);
 }
 
-// A hole stays open whose rim has edges that are shorter than a crack is wide: a box without a side,
-// much smaller than the mesh.
+// A hole stays open whose rim has edges that are shorter than a crack is wide: a box without a
+// side, much smaller than the mesh.
 TEST(Cracks, AreNoHolesWithFineRims)
 {
   TriangleMesh box = models::PatchedBox({ 1, 1, 1 }, { 40, 40, 40, 40, 40, 40 });

@@ -187,8 +187,8 @@ TEST(Enclose, EnclosesRotatedFlatSides)
   }
 }
 
-// Rotated prisms, whose sides are flat and whose ends have their corners on circles, but for rounding,
-// are met as a whole, without new vertices.
+// Rotated prisms, whose sides are flat and whose ends have their corners on circles, but for
+// rounding, are met as a whole, without new vertices.
 TEST(Enclose, MeetsRotatedPrisms)
 {
   std::mt19937_64 random(6);

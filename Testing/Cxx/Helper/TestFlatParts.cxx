@@ -53,8 +53,8 @@ RetriangulatedMesh Adopt(const ResolvedMesh& mesh)
 
 } // namespace
 
-// The ends of rotated prisms, whose corners are on a circle but for rounding, get other triangles of
-// the same corners, within the tolerance. The prisms are then met in little time.
+// The ends of rotated prisms, whose corners are on a circle but for rounding, get other triangles
+// of the same corners, within the tolerance. The prisms are then met in little time.
 TEST(FlatParts, OfPrismsAreRecoveredAtOnce)
 {
   std::mt19937_64 random(1);

@@ -93,8 +93,8 @@ TEST(Orient, LeavesOneSidedSurfacesAlone)
   EXPECT_EQ(Oriented(bottle).SignedMultiplicities, std::vector<int>(bottle.Triangles.size(), 1));
 }
 
-// Parts that are open, but for rounding, can share edges with others that touch them: two boxes, one
-// on the other, whose sides do not share edges, stay as they are.
+// Parts that are open, but for rounding, can share edges with others that touch them: two boxes,
+// one on the other, whose sides do not share edges, stay as they are.
 TEST(Orient, LeavesOpenPartsAlone)
 {
   const TriangleMesh boxes = models::Joined(models::PatchedBox({ 3, 2, 1 }, { 2, 2, 2, 2, 1, 1 }),

@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -19,7 +20,8 @@ TargetRange GetTargetRange(const carving::Profile& profile,
   const carving::SimplifiedStream& simplified, carving::LevelTarget type)
 {
   const auto [least, greatest] = carving::GetTargetRange(profile, type);
-  return { least, greatest, std::min(least, carving::FindLeastTarget(simplified, type)) };
+  const double leastSimplified = carving::FindLeastTarget(simplified, type);
+  return { least, greatest, std::isfinite(leastSimplified) ? leastSimplified : least };
 }
 
 void AddTargetRanges(const carving::Profile& profile, const carving::SimplifiedStream& simplified,

@@ -19,7 +19,8 @@ struct TargetRange
 {
   double Least;
   double Greatest;
-  double LeastSimplified; ///< at most `Least`: the range with simplified levels begins here
+  double
+    LeastSimplified; ///< the range begins here with simplified levels; `Least` if there is none
 };
 
 TargetRange GetTargetRange(const carving::Profile& profile,

@@ -180,6 +180,13 @@ double FindLeastTarget(const SimplifiedStream& stream, LevelTarget type)
       least = std::min<double>(least, CountAfter(step.Chain, type, step.Chain.Collapses));
     }
   }
+  if (type == LevelTarget::ErrorBound)
+  {
+    for (const SimplifiedLevel& level : stream.Levels)
+    {
+      least = std::fmin(least, level.Error); // ignores NaN
+    }
+  }
   return least;
 }
 

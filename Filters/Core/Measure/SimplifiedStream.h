@@ -65,8 +65,8 @@ struct SimplifiedStream
 };
 
 /**
- * The least number of vertices or triangles to which a step is decimated; infinite for another type
- * or if there is none.
+ * The least number of vertices or triangles to which a step is decimated, or the least measured
+ * error of a level; infinite for another type or if there is none.
  */
 double FindLeastTarget(const SimplifiedStream& stream, LevelTarget type);
 

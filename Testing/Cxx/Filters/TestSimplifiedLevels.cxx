@@ -151,17 +151,27 @@ TEST(SimplifiedLevels, ReachNumbersBetweenTargets)
   }
 }
 
-// The range of numbers begins at the coarsest level that is stored.
+// The range of numbers begins at the coarsest level that is stored, below or above the number of the
+// hull, and that of error bounds at the closest one.
 TEST(SimplifiedLevels, HaveARange)
 {
-  vtkNew<vtkTopologyCarver> carver;
-  CarveLinks(carver, vtkTopologyCarver::VERTICES, { 20 });
-  const auto extract = MakeExtractor(CopyStream(carver), vtkTopologyCarver::VERTICES);
-  extract->Update();
-  double range[2];
-  ASSERT_TRUE(extract->GetLevelTargetRange(vtkExtractCarvedLOD::VERTICES, range));
-  EXPECT_EQ(range[0], 20.0);
-  EXPECT_EQ(range[1], 400.0);
+  for (const double number : { 20.0, 300.0 })
+  {
+    vtkNew<vtkTopologyCarver> carver;
+    CarveLinks(carver, vtkTopologyCarver::VERTICES, { number });
+    const auto extract = MakeExtractor(CopyStream(carver), vtkTopologyCarver::VERTICES);
+    const Messages messages(extract);
+    double range[2];
+    ASSERT_TRUE(extract->GetLevelTargetRange(vtkExtractCarvedLOD::VERTICES, range));
+    EXPECT_EQ(range[0], number);
+    EXPECT_EQ(range[1], 400.0);
+    ASSERT_TRUE(extract->GetLevelTargetRange(vtkExtractCarvedLOD::ERROR_BOUND, range));
+    extract->SetLevelTargetType(vtkExtractCarvedLOD::ERROR_BOUND);
+    extract->SetLevelTarget(range[0]);
+    extract->Update();
+    EXPECT_TRUE(messages.Warnings.empty());
+    EXPECT_EQ(extract->GetOutput()->GetFieldData()->GetArray("Error")->GetTuple1(0), range[0]);
+  }
 }
 
 // Damaged arrays are refused with an error that names the array.

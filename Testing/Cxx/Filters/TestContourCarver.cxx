@@ -66,6 +66,14 @@ TEST(ContourCarver, DoesNotSimplify)
   }
 }
 
+// A note tells the number of points in which lines cross, however many lines do so in one point.
+TEST(ContourCarver, CountsCrossings)
+{
+  const auto carver = Carve<vtkContourCarver>(Polylines({ { { -1, 0, 0 }, { 1, 0, 0 } },
+    { { 0, -1, 0 }, { 0, 1, 0 } }, { { -1, -1, 0 }, { 1, 1, 0 } } }));
+  EXPECT_TRUE(Has(GetNotes(carver), "Edges cross or touch others in 1 points"));
+}
+
 // The first level of a U is its hull, the last the U itself.
 TEST(ContourCarver, GoesFromTheHullToTheInput)
 {

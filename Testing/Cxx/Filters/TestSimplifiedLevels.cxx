@@ -151,8 +151,8 @@ TEST(SimplifiedLevels, ReachNumbersBetweenTargets)
   }
 }
 
-// The range of numbers begins at the coarsest level that is stored, below or above the number of the
-// hull, and that of error bounds at the closest one.
+// The range of numbers begins at the coarsest level that is stored, below or above the number of
+// the hull, and that of error bounds at the closest one.
 TEST(SimplifiedLevels, HaveARange)
 {
   for (const double number : { 20.0, 300.0 })

@@ -490,10 +490,10 @@ public:
    * the closest level of several trials: steps at halved numbers of vertices, and between the best
    * ones, decimated to the target, and the best ones again with bounds on the distance of the
    * triangles that are made. C0's own number is no limit. ERROR_BOUND gives the level with the
-   * fewest vertices that the trials find within the distance, or if there is none, with a warning,
-   * the closest. For all other targets, see MaximumVertices. The helper program runs once for each
-   * trial. The stored stream on port 1 keeps the decimated steps, from which vtkExtractCarvedLOD
-   * gives simplified levels.
+   * fewest vertices that the trials find within the distance, or if there is none, a step of the
+   * carving as it is, or else, with a warning, the closest level. For all other targets, see
+   * MaximumVertices. The helper program runs once for each trial. The stored stream on port 1 keeps
+   * the decimated steps, from which vtkExtractCarvedLOD gives simplified levels.
    */
   vtkSetClampMacro(LevelSimplification, int, SUBSET, ENCLOSING_COLLAPSE);
   vtkGetMacro(LevelSimplification, int);

@@ -206,15 +206,25 @@ std::string FillSimplifiedLevel(const carving::StoredStream<3>& stream,
   vtkUnstructuredGrid* grid, const carving::SimplifiedTarget& target, bool manifold,
   vtkPolyData* output)
 {
-  const bool carved = carving::IsMetByCarving(profile, target);
-  const auto [level, problem] =
-    carved ? carving::SelectedLevel() : carving::SelectSimplifiedLevel(simplified, target);
+  const auto fillCarved = [&](int step)
+  { FillLevel(stream, profile, grid, carving::ExtractLevel(stream, step), manifold, output); };
+  if (carving::IsMetByCarving(profile, target))
+  {
+    fillCarved(target.LastStep);
+    return {};
+  }
+  const auto [level, problem] = carving::SelectSimplifiedLevel(simplified, target);
+  const int within =
+    problem.empty() ? -1 : carving::FindCarvedStepWithin(simplified, profile, target);
+  if (within >= 0)
+  {
+    fillCarved(within);
+    return {};
+  }
   if (level.Chain < 0)
   {
-    const int step = carved
-      ? target.LastStep
-      : std::min(target.LastStep, carving::SelectStep(profile, target.Type, target.Value).Step);
-    FillLevel(stream, profile, grid, carving::ExtractLevel(stream, step), manifold, output);
+    fillCarved(
+      std::min(target.LastStep, carving::SelectStep(profile, target.Type, target.Value).Step));
     return problem;
   }
   const carving::DecimatedStep& from = simplified.Steps[level.Chain];

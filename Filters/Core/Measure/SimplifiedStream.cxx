@@ -226,4 +226,26 @@ SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const Simpli
   return selected;
 }
 
+int FindCarvedStepWithin(
+  const SimplifiedStream& stream, const Profile& profile, const SimplifiedTarget& target)
+{
+  if (target.Type != LevelTarget::ErrorBound)
+  {
+    return -1;
+  }
+  int first = 0;
+  for (const SimplifiedLevel& level : stream.Levels)
+  {
+    first = std::max(first, stream.Steps[level.Chain].Step);
+  }
+  for (int step = first; step < static_cast<int>(profile.Error.size()); ++step)
+  {
+    if (profile.Error[step] <= target.Value)
+    {
+      return step;
+    }
+  }
+  return -1;
+}
+
 } // namespace carving

@@ -111,6 +111,26 @@ TEST(SimplifiedStream, GivesErrorBounds)
   EXPECT_NE(problem.find("within 1."), std::string::npos);
 }
 
+// A bound that no simplified level meets gets a step as carved, no earlier than those of simplified
+// levels, so that pieces never merge from one bound to a smaller one.
+TEST(SimplifiedStream, GivesCarvedStepsWithinABound)
+{
+  const SimplifiedStream stream = MakeStream(); // levels of steps 0 and 10, within 1 at best
+  Profile profile;
+  profile.Error = { 9.0, 8.0, 0.3, 7.0, 6.0, 5.0, 5.0, 5.0, 5.0, 5.0, 5.0, 0.7, 0.2, 0.4, 0.0 };
+  const auto find = [&](double bound) {
+    return FindCarvedStepWithin(stream, profile, { LevelTarget::ErrorBound, 14, bound, {} });
+  };
+  EXPECT_EQ(find(0.8), 11);
+  EXPECT_EQ(find(0.5), 12);
+  EXPECT_EQ(find(0.3), 12);
+  EXPECT_EQ(find(0.0), 14);
+  EXPECT_EQ(find(-1.0), -1);
+  EXPECT_EQ(FindCarvedStepWithin(stream, profile, { LevelTarget::Vertices, 14, 0.5, {} }), -1);
+  profile.Error.clear();
+  EXPECT_EQ(find(0.5), -1);
+}
+
 // A number below all gives the level that comes closest, and a sentence.
 TEST(SimplifiedStream, SaysWhatIsOutOfReach)
 {

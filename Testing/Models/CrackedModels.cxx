@@ -165,7 +165,7 @@ TriangleMesh WithHangingNodes(TriangleMesh mesh, int rounds, std::mt19937_64& ra
       midpoints.emplace(std::minmax(a, b), static_cast<int>(mesh.Points.size()));
     if (isNew)
     {
-      mesh.Points.push_back(0.5 * (mesh.Points[a] + mesh.Points[b]));
+      mesh.Points.push_back(carving::Between(mesh.Points[a], mesh.Points[b], 0.5));
     }
     return entry->second;
   };

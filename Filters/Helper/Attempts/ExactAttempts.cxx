@@ -199,8 +199,7 @@ bool ExactAttempts::TryDelaunayFaces(const ResolvedMesh& given, double tolerance
   RetriangulatedMesh adopted;
   if (mistake.empty())
   {
-    adopted = AdoptDelaunayFaces(surface,
-      PiercedMesh::Tetrahedralize(surface.Points, this->FurtherPoints(surface.Points)), tolerance);
+    adopted = AdoptDelaunayFaces(surface, this->FurtherPoints(surface.Points), tolerance);
   }
   this->Host.End();
   if (adopted.Changed == 0 || adopted.Distance > tolerance)

@@ -3,7 +3,7 @@
 
 #include "Helper/Base/Effort.h"
 #include "Helper/Cutting/Cut.h"
-#include "Helper/Recovery/FlatParts.h"
+#include "Helper/Recovery/DelaunayFaces.h"
 #include "Helper/Recovery/Recover.h"
 #include "Helper/Resolve/Intersections.h"
 #include "Helper/Resolve/Resolve.h"
@@ -35,7 +35,7 @@ CutTetrahedra Tetrahedralize(ResolvedMesh input, const std::vector<Point>& furth
   PiercedMesh::Delaunay delaunay = PiercedMesh::Tetrahedralize(result.Input.Points, further);
   if (flatness > 0.0)
   {
-    RetriangulatedMesh adopted = AdoptDelaunayFaces(result.Input, delaunay, flatness);
+    RetriangulatedMesh adopted = AdoptFacesOf(delaunay, result.Input, flatness);
     if (adopted.Changed > 0 && adopted.Distance <= flatness)
     {
       result.Input = std::move(adopted.Mesh);

@@ -5,6 +5,7 @@
 #include "Core/Mesh/Progress.h"
 #include "Core/Mesh/Vector.h"
 #include "Helper/Base/Effort.h"
+#include "Helper/Cutting/Cut.h"
 #include "Helper/Cutting/HalveKept.h"
 #include "Helper/Enclosing/ExposedFaces.h"
 #include "Helper/Recovery/CutTetrahedra.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
-#include "Helper/Recovery/FlatParts.h"
+#include "Helper/Recovery/DelaunayFaces.h"
 
 #include "Core/Mesh/Box.h"
 #include "Core/Mesh/DisjointSets.h"
@@ -288,8 +288,8 @@ std::vector<int> FindSources(
 
 } // namespace
 
-RetriangulatedMesh AdoptDelaunayFaces(
-  const ResolvedMesh& mesh, const Delaunay& delaunay, double tolerance)
+RetriangulatedMesh AdoptFacesOf(
+  const Delaunay& delaunay, const ResolvedMesh& mesh, double tolerance)
 {
   constexpr double least = 1e-16; // of the diagonal: other triangles differ by a rounding at least
   RetriangulatedMesh result;
@@ -336,6 +336,12 @@ RetriangulatedMesh AdoptDelaunayFaces(
     }
   }
   return result;
+}
+
+RetriangulatedMesh AdoptDelaunayFaces(
+  const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance)
+{
+  return AdoptFacesOf(PiercedMesh::Tetrahedralize(mesh.Points, further), mesh, tolerance);
 }
 
 } // namespace carving::helper

@@ -7,7 +7,8 @@
 #define carving_FlatParts_h
 
 #include "Core/Mesh/Mesh.h"
-#include "Helper/Enclosing/PiercedMesh.h"
+
+#include <vector>
 
 namespace carving::helper
 {
@@ -21,8 +22,8 @@ struct RetriangulatedMesh
 
 /**
  * Replaces the triangles of flat parts of a mesh, which may cross itself, by faces of the Delaunay
- * tetrahedralization of its points, which may have further ones. The faces of a part have the same
- * border. A part is flat if neighboring triangles are within `tolerance`, a length, of a common
+ * tetrahedralization of its points and of `further` ones. The faces of a part have the same border.
+ * A part is flat if neighboring triangles are within `tolerance`, a length, of a common
  * plane.
  *
  * Points that lie in a plane and on a sphere but for rounding, such as those of the end of a
@@ -31,7 +32,7 @@ struct RetriangulatedMesh
  * already. A new triangle takes over the source of an old one close to it.
  */
 RetriangulatedMesh AdoptDelaunayFaces(
-  const ResolvedMesh& mesh, const PiercedMesh::Delaunay& delaunay, double tolerance);
+  const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance);
 
 } // namespace carving::helper
 

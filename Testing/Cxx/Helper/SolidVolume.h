@@ -18,7 +18,7 @@ inline double VolumeOfSolid(
   {
     const carving::RegionKind kind = regions.Kind(cell);
     const bool isInside = kind == carving::RegionKind::Solid || kind == carving::RegionKind::Kept;
-    volume += isInside ? Size(CornersOfCell(mesh, cell)) : 0.0;
+    volume += isInside ? carving::Size(CornersOfCell(mesh, cell)) : 0.0;
   }
   return volume;
 }

@@ -47,8 +47,7 @@ TriangleMesh Washer(int sides)
 
 RetriangulatedMesh Adopt(const ResolvedMesh& mesh)
 {
-  return AdoptDelaunayFaces(
-    mesh, PiercedMesh::Tetrahedralize(mesh.Points, {}), 1e-12 * Diagonal(mesh.Points));
+  return AdoptDelaunayFaces(mesh, {}, 1e-12 * Diagonal(mesh.Points));
 }
 
 } // namespace

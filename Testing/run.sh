@@ -31,11 +31,12 @@ meshes=$build_root/meshes/off
 jobs=2
 
 say "Checking the format"
-long=$(git ls-files '*.cxx' '*.h' | xargs awk 'length > 100 { print FILENAME ":" FNR }')
+mapfile -d '' -t sources < <(find "$root/Examples" "$root/Filters" "$root/Plugin" "$root/Testing" \
+  \( -name '*.cxx' -o -name '*.h' \) -print0)
+long=$(awk 'length > 100 { print FILENAME ":" FNR }' "${sources[@]}")
 [ -z "$long" ] || die "Lines of more than 100 columns: $long"
 if clang-format --version | grep -q 'version 14\.'; then
-  find "$root/Examples" "$root/Filters" "$root/Plugin" "$root/Testing" \( -name '*.cxx' -o -name '*.h' \) -print0 |
-    xargs -0 clang-format --dry-run --Werror || die "Run clang-format -i on these files."
+  clang-format --dry-run --Werror "${sources[@]}" || die "Run clang-format -i on these files."
 else
   printf 'Skipped: only clang-format 14 (Debian 12) formats as these sources are.\n'
 fi

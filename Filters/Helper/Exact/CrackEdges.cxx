@@ -163,15 +163,15 @@ bool LeavesCrack(
 }
 
 /**
- * Where edges with points from `first` on pass through cracks. Edges of M do so only if they are
- * rims, which pass each other where a vertex lies on both.
+ * Where edges with points from `first` on pass through cracks. An edge of M does so only if it
+ * leaves the crack on both sides: others are the sides of cracks.
  */
 Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cracks, double width)
 {
   const std::vector<Point>& points = mesh.Surface.Points;
   const Edges edgesOfM = FindEdges(mesh.Surface);
-  const auto has = [](const Edges& edges, const Edge& edge)
-  { return std::binary_search(edges.begin(), edges.end(), edge); };
+  const auto isOfM = [&edgesOfM](const Edge& edge)
+  { return std::binary_search(edgesOfM.begin(), edgesOfM.end(), edge); };
   const Edges candidates = FindCandidates(mesh, first, cracks, width);
   Passages passages;
   VisitPairs(WidenedBoxes(points, candidates, 0.0), WidenedBoxes(points, cracks, width),
@@ -179,7 +179,7 @@ Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cr
     {
       const Edge& edge = candidates[i];
       const std::optional<Passage> passage = FindPassage(points, edge, cracks[k], width);
-      if (passage && (!has(edgesOfM, edge) || LeavesCrack(points, edge, cracks[k], width)))
+      if (passage && (!isOfM(edge) || LeavesCrack(points, edge, cracks[k], width)))
       {
         Passage& best = passages.try_emplace(edge, *passage).first->second;
         best = std::min(best, *passage,

@@ -14,7 +14,7 @@ namespace PlyFile
  */
 std::string FindMistake(const std::string& fileName);
 
-/** Whether a file is text without a line feed at its end, without which VTK's reader crashes. */
+/** Whether a file is text and lacks its last line feed. VTK's reader crashes on such a file. */
 bool EndsWithinALine(const std::string& fileName);
 
 } // namespace PlyFile

@@ -19,8 +19,7 @@ struct TargetRange
 {
   double Least;
   double Greatest;
-  double
-    LeastSimplified; ///< the range begins here with simplified levels; `Least` if there is none
+  double LeastSimplified; ///< `Least` of simplified levels, or the same if there are none
 };
 
 TargetRange GetTargetRange(const carving::Profile& profile,

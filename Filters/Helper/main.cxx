@@ -114,15 +114,17 @@ void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
   Tetrahedralization split;
   if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split) > 0)
   {
-    bool isOfUse = false;
-    for (const SolidRule rule : { SolidRule::NonzeroWinding, SolidRule::EvenOdd })
+    const auto closesCracks = [&](SolidRule rule)
     {
       Tetrahedralization sealed = split;
-      if (SealCracks(sealed, rule, job.Processes) > 0)
-      {
-        reply.SolidMatters = 1; // another rule may close other cracks, or none
-        isOfUse = isOfUse || rule == job.Solid;
-      }
+      return SealCracks(sealed, rule, job.Processes) > 0;
+    };
+    const bool isOfUse = closesCracks(job.Solid);
+    for (const SolidRule rule : { SolidRule::NonzeroWinding, SolidRule::EvenOdd })
+    {
+      // Another rule may close other cracks, or none.
+      const bool matters = isOfUse || (rule != job.Solid && closesCracks(rule));
+      reply.SolidMatters = reply.SolidMatters != 0 || matters;
     }
     if (isOfUse)
     {

@@ -202,7 +202,7 @@ bool ExactAttempts::TryDelaunayFaces(const ResolvedMesh& given, double tolerance
     adopted = AdoptDelaunayFaces(surface, this->FurtherPoints(surface.Points), tolerance);
   }
   this->Host.End();
-  if (adopted.Changed == 0 || adopted.Distance > tolerance)
+  if (adopted.Changed == 0)
   {
     return false;
   }

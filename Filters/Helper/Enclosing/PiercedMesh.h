@@ -55,11 +55,11 @@ public:
   PiercedMesh(const ResolvedMesh& input, const std::vector<Point>& further, int threads,
     const std::function<bool(double)>& progress);
 
-  /** The same of a Delaunay tetrahedralization of these points, which this object takes over. */
+  /** From the Delaunay tetrahedralization of the same points, which this object takes over. */
   PiercedMesh(Delaunay&& delaunay, const ResolvedMesh& input, const std::vector<Point>& further,
     int threads, const std::function<bool(double)>& progress);
 
-  /** Makes the Delaunay tetrahedralization of points, whose vertices have their numbers. */
+  /** The Delaunay tetrahedralization of points. A vertex has the index of its point. */
   static Delaunay Tetrahedralize(
     const std::vector<Point>& points, const std::vector<Point>& further);
 

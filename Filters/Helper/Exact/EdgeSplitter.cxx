@@ -89,11 +89,11 @@ void EdgeSplitter::SplitAt(const Edge& edge, int point)
 {
   const std::vector<int> ring = this->CellsAround.at(edge);
   this->CellsAround.erase(edge);
-  this->UpperFacets.clear();
+  UpperFacets upperFacets;
   const int first = static_cast<int>(this->Mesh.Cells.size());
   for (const int lower : ring)
   {
-    const int upper = this->SplitCell(lower, edge, point);
+    const int upper = this->SplitCell(lower, edge, point, upperFacets);
     for (int& neighbor : this->Mesh.Neighbors[upper])
     {
       const auto place = std::find(ring.begin(), ring.end(), neighbor);
@@ -106,7 +106,7 @@ void EdgeSplitter::SplitAt(const Edge& edge, int point)
 }
 
 /** Returns the part at the upper end, whose neighbors around the edge are those of the cell. */
-int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
+int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point, UpperFacets& upperFacets)
 {
   auto& cells = this->Mesh.Cells;
   auto& neighbors = this->Mesh.Neighbors;
@@ -120,7 +120,7 @@ int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
   {
     this->Mesh.Kept.push_back(this->Mesh.Kept[lower]);
   }
-  this->SplitFacets(lower, upper, edge, point);
+  this->SplitFacets(lower, upper, edge, point, upperFacets);
   cells[lower][atB] = point;
   cells[upper][atA] = point;
   // The face opposite to the lower end is one of the upper part.
@@ -136,7 +136,8 @@ int EdgeSplitter::SplitCell(int lower, const Edge& edge, int point)
 }
 
 /** Splits the facets at the edge on which faces of a cell lie, unless another cell has done so. */
-void EdgeSplitter::SplitFacets(int lower, int upper, const Edge& edge, int point)
+void EdgeSplitter::SplitFacets(
+  int lower, int upper, const Edge& edge, int point, UpperFacets& upperFacets)
 {
   ResolvedMesh& surface = this->Mesh.Surface;
   for (const int opposite :
@@ -147,8 +148,7 @@ void EdgeSplitter::SplitFacets(int lower, int upper, const Edge& edge, int point
     {
       continue;
     }
-    const auto [entry, isNew] =
-      this->UpperFacets.emplace(facet, static_cast<int>(surface.Facets.size()));
+    const auto [entry, isNew] = upperFacets.emplace(facet, static_cast<int>(surface.Facets.size()));
     if (isNew)
     {
       Triangle part = surface.Facets[facet];

@@ -30,17 +30,19 @@ public:
   void Finish();
 
 private:
+  /** For each facet at an edge that has been split: the part at the upper end. */
+  using UpperFacets = std::map<int, int>;
+
   int CornerOf(int cell, int point) const;
   bool MaySplitAt(const Edge& edge, const Point& p) const;
   void SplitAt(const Edge& edge, int point);
-  int SplitCell(int lower, const Edge& edge, int point);
-  void SplitFacets(int lower, int upper, const Edge& edge, int point);
+  int SplitCell(int lower, const Edge& edge, int point, UpperFacets& upperFacets);
+  void SplitFacets(int lower, int upper, const Edge& edge, int point, UpperFacets& upperFacets);
   void UpdateCellsAround(int lower, int upper, const Edge& edge);
 
   Tetrahedralization& Mesh;
   std::vector<FaceConstraints<3>::Facets> Constraints; ///< per cell
   std::map<Edge, std::vector<int>> CellsAround;        ///< of the edges that can be split
-  std::map<int, int> UpperFacets; ///< of the facets at the last edge: the parts at its upper end
 };
 
 } // namespace carving::helper

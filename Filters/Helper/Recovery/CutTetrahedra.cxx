@@ -36,7 +36,7 @@ CutTetrahedra Tetrahedralize(ResolvedMesh input, const std::vector<Point>& furth
   if (flatness > 0.0)
   {
     RetriangulatedMesh adopted = AdoptFacesOf(delaunay, result.Input, flatness);
-    if (adopted.Changed > 0 && adopted.Distance <= flatness)
+    if (adopted.Changed > 0)
     {
       result.Input = std::move(adopted.Mesh);
       result.FlatDistance = adopted.Distance;
@@ -97,15 +97,14 @@ bool MayMeetMoreResolved(const CutTetrahedra& cells, std::size_t pairs)
 } // namespace
 
 CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
-  const EnclosingTolerances& tolerances, int threads, const Progress& progress)
+  double tolerance, double flatness, int threads, const Progress& progress)
 {
-  const double tolerance = tolerances.Distance;
   const auto policy =
     threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
   std::future<Pairs> search = std::async(policy,
     [&] { return tolerance > 0.0 ? FindIntersections(input.Points, input.Facets) : Pairs(); });
   CutTetrahedra cells =
-    Tetrahedralize(input, further, tolerances.Flatness, threads, PartOf(progress, 0.0, 0.1));
+    Tetrahedralize(input, further, flatness, threads, PartOf(progress, 0.0, 0.1));
   Pairs pairs = search.get();
   MeetParts(pairs, tolerance, threads, PartOf(progress, 0.1, 0.7), cells);
   if (!MayMeetMoreResolved(cells, pairs.size()))
@@ -118,8 +117,8 @@ CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& furth
   {
     return cells;
   }
-  CutTetrahedra others = Tetrahedralize(
-    std::move(resolved), further, tolerances.Flatness, threads, PartOf(progress, 0.7, 0.8));
+  CutTetrahedra others =
+    Tetrahedralize(std::move(resolved), further, flatness, threads, PartOf(progress, 0.7, 0.8));
   MeetParts({}, tolerance, threads, PartOf(progress, 0.8, 1.0), others);
   others.ResolvedPairs = count;
   return MetShareOf(others) > MetShareOf(cells) ? std::move(others) : std::move(cells);

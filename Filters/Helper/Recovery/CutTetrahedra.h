@@ -9,7 +9,6 @@
 
 #include "Core/Mesh/Progress.h"
 #include "Helper/Enclosing/PiercedMesh.h"
-#include "Helper/Recovery/Enclose.h"
 
 #include <memory>
 #include <vector>
@@ -28,9 +27,13 @@ struct CutTetrahedra
   double FlatDistance = 0.0;              ///< see Enclosure
 };
 
-/** Recovers and cuts M, or the resolved M. Both tolerances are lengths; see EnclosingTolerances. */
+/**
+ * Recovers and cuts M or, if more of it is met then, the resolved M. `tolerance` is that of Cut;
+ * with 0, M is only recovered. Parts that are flat within `flatness` get other triangles first;
+ * with 0, none does. Both are lengths.
+ */
 CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
-  const EnclosingTolerances& tolerances, int threads, const Progress& progress);
+  double tolerance, double flatness, int threads, const Progress& progress);
 
 /**
  * Measures the share of M's area that is faces, which is returned, and that of each triangle's

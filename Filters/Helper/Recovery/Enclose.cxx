@@ -104,9 +104,8 @@ Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further,
 {
   const double length = Diagonal(input.Points);
   const bool mayAddPoints = tolerances.Distance > 0.0;
-  CutTetrahedra cells = CutBest(input, further,
-    { mayAddPoints ? CutTolerance * length : 0.0, tolerances.Flatness * length }, threads,
-    PartOf(progress, 0.0, 0.7));
+  CutTetrahedra cells = CutBest(input, further, mayAddPoints ? CutTolerance * length : 0.0,
+    tolerances.Flatness * length, threads, PartOf(progress, 0.0, 0.7));
   PiercedMesh& mesh = *cells.Mesh;
   ResolvedMesh& met = cells.Input;
   constexpr double negligible = 1e-4;

@@ -335,6 +335,10 @@ RetriangulatedMesh AdoptFacesOf(
       AppendFacet<3>(mesh, facet, mesh.Facets[facet], result.Mesh);
     }
   }
+  if (result.Distance > tolerance)
+  {
+    result.Changed = 0;
+  }
   return result;
 }
 

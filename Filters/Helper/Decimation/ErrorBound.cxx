@@ -29,6 +29,7 @@ constexpr long long QueriesSavedAtFirst = 100 * MostQueries;
 
 ErrorBound::ErrorBound(const FaceDistance<3>& fromM, std::size_t numberOfEdges)
   : FromM(fromM)
+  , Heights(fromM.GetTree().GetItems().GetMesh())
   , Excesses(numberOfEdges, 0.0)
   , SavedQueries(QueriesSavedAtFirst)
 {
@@ -74,9 +75,13 @@ double ErrorBound::FindExcess(const Star& star, const Point& w)
   std::vector<FacetCorners<3>> faces;
   for (const auto& [a, b] : star.Link)
   {
-    faces.push_back({ a, b, w });
+    const FacetCorners<3> face = { a, b, w };
+    if (!this->Heights.IsWithin(face, this->Bound, closest.Item))
+    {
+      faces.push_back(face);
+    }
   }
-  const auto count = static_cast<long long>(faces.size());
+  const auto count = static_cast<long long>(star.Link.size());
   this->SavedQueries += count * MostQueriesOnAverage;
   const long long most = std::min(count * MostQueries, this->SavedQueries);
   long long left = most;

@@ -7,6 +7,7 @@
 #define carving_ErrorBound_h
 
 #include "Core/Mesh/FaceDistance.h"
+#include "Helper/Decimation/HeightBound.h"
 #include "Helper/Decimation/SurfaceMesh.h"
 
 #include <vector>
@@ -61,6 +62,7 @@ private:
   double FindExcess(const Star& star, const Point& w);
 
   const FaceDistance<3>& FromM;
+  HeightBound Heights; ///< above M
   double Bound = 0.0;
   std::vector<double> Excesses; ///< per edge: the least distance that was too large, or 0
   long long SavedQueries;       ///< that earlier faces have left over

@@ -2,6 +2,7 @@
 #include "Helper/Decimation/TargetSeries.h"
 
 #include "Helper/Decimation/BoundSearch.h"
+#include "Helper/Decimation/HeightBound.h"
 #include "Helper/Decimation/Hope.h"
 
 #include <algorithm>
@@ -30,15 +31,13 @@ constexpr double MostAboveTargetAtLast = 1.6;
 constexpr int TighteningRounds = 2;
 
 /** An upper bound of the largest distance of any point of the surface from a mesh. */
-double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance)
+double MeasureError(
+  const TriangleMesh& surface, const FaceDistance<3>& distance, HeightBound& heights)
 {
   const auto cornersOf = [&](std::size_t i)
-  {
-    const auto [a, b, c] = surface.Triangles[i];
-    return std::array<Point, 3>{ surface.Points[a], surface.Points[b], surface.Points[c] };
-  };
-  // A sample finds a face that is about as far as any: then it takes few queries to show that the
-  // others are not farther.
+  { return carving::CornersOf<3>(surface.Points, surface.Triangles[i]); };
+  // A sample finds a face that is about as far as any: then it is cheaper to show that the others
+  // are not farther.
   constexpr std::size_t sampled = 16;
   std::size_t farthest = 0;
   double lower = 0.0;
@@ -51,13 +50,20 @@ double MeasureError(const TriangleMesh& surface, const FaceDistance<3>& distance
       farthest = i;
     }
   }
-  FaceDistance<3>::Bound last = distance.Compute(cornersOf(farthest), MostDistanceQueries);
-  double largest = last.Upper;
+  double largest = distance.Compute(cornersOf(farthest), MostDistanceQueries).Upper;
+  int nearby = -1; // the last face is often a neighbor
   for (std::size_t i = 0; i < surface.Triangles.size(); ++i)
   {
-    // The last face is often a neighbor.
-    last = distance.Compute(cornersOf(i), MostDistanceQueries, largest, &last.Nearby);
-    largest = std::max(largest, last.Upper);
+    const FacetCorners<3> face = cornersOf(i);
+    const FacetTree<3>::Closest closest =
+      distance.GetTree().Find((face[0] + face[1] + face[2]) / 3.0, 0.0, nearby);
+    nearby = closest.Item;
+    if (!heights.IsWithin(face, largest, nearby))
+    {
+      const FacetCorners<3> start = distance.GetTree().GetItems().CornersOf(nearby);
+      largest =
+        std::max(largest, distance.Compute(face, MostDistanceQueries, largest, &start).Upper);
+    }
   }
   return largest;
 }
@@ -70,6 +76,7 @@ public:
     const Progress& report, int threads, std::vector<DecimatedSurface>& results)
     : TheDecimator(decimator)
     , FromM(fromM)
+    , Heights(fromM.GetTree().GetItems().GetMesh())
     , Options(options)
     , Report(report)
     , Threads(threads)
@@ -110,6 +117,7 @@ private:
 
   Decimator& TheDecimator;
   const FaceDistance<3>& FromM;
+  HeightBound Heights; ///< above M
   const DecimationOptions& Options;
   const Progress& Report;
   int Threads;
@@ -126,8 +134,9 @@ std::string TargetSeries::Run()
 {
   const SurfaceMesh& surface = this->TheDecimator.GetSurface();
   this->AtStart = std::log(static_cast<double>(surface.number_of_vertices()));
-  this->OwnError =
-    this->Options.Bounds.empty() ? 0.0 : MeasureError(AsTriangleMesh(surface), this->FromM);
+  this->OwnError = this->Options.Bounds.empty()
+    ? 0.0
+    : MeasureError(AsTriangleMesh(surface), this->FromM, this->Heights);
   for (std::size_t i = 0; i < this->Options.Targets.size(); ++i)
   {
     const bool reached = this->Reach(i);
@@ -206,7 +215,7 @@ void TargetSeries::BeginToMeasure()
   this->Error = std::async(
     this->Threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred,
     [this, copy = AsTriangleMesh(this->TheDecimator.GetSurface())]
-    { return MeasureError(copy, this->FromM); });
+    { return MeasureError(copy, this->FromM, this->Heights); });
   if (this->Threads <= 1)
   {
     this->FinishMeasuring();

@@ -117,19 +117,47 @@ bool SurfaceDistance::IsWithin(const Corners& triangle, double distance)
   {
     const Corners t = stack.back();
     stack.pop_back();
-    const Point centroid = Centroid(t);
-    const double radius = RadiusAround(centroid, t);
-    if (!this->HasWithin(centroid, distance))
+    const Nearness nearness = this->FindNearness(t, distance);
+    if (nearness == Nearness::CentroidIsFar)
     {
       return false;
     }
-    if (radius > std::max(Accuracy * distance, this->Resolution) &&
-      !this->LastHasWithin(t, distance) && !this->HasWithin(centroid, distance - radius))
+    if (nearness == Nearness::CentroidIsNear)
     {
       PushQuarters(t, stack);
     }
   }
   return true;
+}
+
+SurfaceDistance::Nearness SurfaceDistance::FindNearness(const Corners& t, double distance)
+{
+  const Point centroid = Centroid(t);
+  const double radius = RadiusAround(centroid, t);
+  const bool isSmall = radius <= std::max(Accuracy * distance, this->Resolution);
+  const double enough = isSmall ? distance : distance - radius; // at the centroid, for all points
+  Nearness result = Nearness::CentroidIsFar;
+  const auto visit = [&](int item)
+  {
+    const double here = this->ToTriangle(item, centroid);
+    if (here <= distance)
+    {
+      this->Last = item;
+      result = here <= enough || this->LastHasWithin(t, distance) ? Nearness::AllIsNear
+                                                                  : Nearness::CentroidIsNear;
+    }
+    if (result == Nearness::CentroidIsFar)
+    {
+      return distance * distance;
+    }
+    return result == Nearness::AllIsNear || enough <= 0.0 ? 0.0 : enough * enough; // 0: no more
+  };
+  if (distance > 0.0 && visit(this->Last) > 0.0)
+  {
+    const bool isNear = result == Nearness::CentroidIsNear;
+    this->Surface->ForEachNear(centroid, isNear ? enough * enough : distance * distance, visit);
+  }
+  return result;
 }
 
 double SurfaceDistance::Farthest(const Corners& triangle, double atLeast)

@@ -53,6 +53,14 @@ public:
 private:
   double ToTriangle(int triangle, const Point& point) const;
   bool HasWithin(const Point& point, double distance);
+
+  enum class Nearness
+  {
+    CentroidIsFar,  ///< farther than asked for
+    CentroidIsNear, ///< and other points may be far
+    AllIsNear,      ///< every point is within the distance, but for the accuracy
+  };
+  Nearness FindNearness(const Corners& triangle, double distance);
   bool LastHasWithin(const Corners& triangle, double distance) const;
 
   std::shared_ptr<const FacetTree<3>> Surface;

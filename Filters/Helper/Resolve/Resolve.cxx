@@ -101,15 +101,24 @@ ResolvedMesh Split(const ResolvedMesh& mesh, Pairs pairs, const Progress& progre
   return result;
 }
 
+constexpr std::size_t MostOnBoxes = 20000; ///< pairs, which are resolved in about two seconds
+
+/** The number of pairs that need not be known: whatever their kind, they are too many. */
+std::size_t MoreThan(double maximumPairs)
+{
+  const double limit = std::max(maximumPairs, static_cast<double>(MostOnBoxes)) + 1.0;
+  return limit < static_cast<double>(MostIntersections) ? static_cast<std::size_t>(limit)
+                                                        : MostIntersections;
+}
+
 /**
  * The number of pairs that counts for a limit. Boxes that touch have walls in common planes, and
  * their other walls cross in common lines, so that few points come of many pairs.
  */
 std::size_t CountForLimit(const ResolvedMesh& mesh, const Pairs& pairs)
 {
-  constexpr std::size_t most = 20000;       // they are resolved in about two seconds
   constexpr std::size_t forEachInPlane = 4; // the pair itself, and others in the same lines
-  if (pairs.size() > most)
+  if (pairs.size() > MostOnBoxes)
   {
     return pairs.size();
   }
@@ -118,14 +127,14 @@ std::size_t CountForLimit(const ResolvedMesh& mesh, const Pairs& pairs)
   return pairs.size() - std::min(pairs.size(), forEachInPlane * inPlane);
 }
 
-/** Splits until no pair is left. */
-std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
+/** Splits until no pair is left. The search for the pairs ended at `most`. */
+std::string SplitAll(ResolvedMesh& mesh, Pairs pairs, std::size_t most,
   const std::function<ResolvedMesh(Pairs)>& split, double maximumPairs)
 {
   // One round suffices for nearly every mesh. Where a round makes crossings rather than fewer,
   // hardly any further round mends that, and each takes longer.
   constexpr int maximumRounds = 10;
-  const bool areAll = pairs.size() < MostIntersections;
+  const bool areAll = pairs.size() < most;
   if (!areAll ||
     (static_cast<double>(pairs.size()) > maximumPairs &&
       static_cast<double>(CountForLimit(mesh, pairs)) > maximumPairs))
@@ -155,16 +164,17 @@ std::string SplitAll(ResolvedMesh& mesh, Pairs pairs,
 std::string Resolve(
   ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
-  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  const std::size_t most = MoreThan(maximumPairs);
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets, most);
   intersectingPairs = static_cast<int>(pairs.size());
-  return ResolvePairs(mesh, std::move(pairs), progress, maximumPairs);
+  return ResolvePairs(mesh, std::move(pairs), progress, maximumPairs, most);
 }
 
 std::string ResolvePairs(
-  ResolvedMesh& mesh, Pairs pairs, const Progress& progress, double maximumPairs)
+  ResolvedMesh& mesh, Pairs pairs, const Progress& progress, double maximumPairs, std::size_t most)
 {
   return SplitAll(
-    mesh, std::move(pairs),
+    mesh, std::move(pairs), most,
     [&](Pairs crossing) { return Clean(Split(mesh, std::move(crossing), progress)); },
     maximumPairs);
 }
@@ -173,20 +183,21 @@ std::string ResolveTouching(ResolvedMesh& mesh, double tolerance, double& distan
   int& intersectingPairs, const Progress& progress, double maximumPairs)
 {
   distance = 0.0;
+  const std::size_t most = MoreThan(maximumPairs);
   const auto split = [&](const Pairs& pairs)
   {
     GoOn(progress, 0.0);
     return Weld(Imprint(std::move(mesh), pairs, tolerance), tolerance, distance);
   };
   mesh = Weld(std::move(mesh), tolerance, distance);
-  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets);
+  Pairs pairs = FindIntersections(mesh.Points, mesh.Facets, most);
   intersectingPairs = static_cast<int>(pairs.size());
   if (pairs.empty()) // triangles may lie on each other without crossing
   {
     mesh = split(pairs);
-    pairs = FindIntersections(mesh.Points, mesh.Facets);
+    pairs = FindIntersections(mesh.Points, mesh.Facets, most);
   }
-  return SplitAll(mesh, std::move(pairs), split, maximumPairs);
+  return SplitAll(mesh, std::move(pairs), most, split, maximumPairs);
 }
 
 } // namespace carving::helper

@@ -4,8 +4,10 @@
 
 #include "Core/Mesh/Mesh.h"
 #include "Core/Mesh/Progress.h"
+#include "Helper/Resolve/Intersections.h"
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,15 +23,15 @@ namespace carving::helper
  *
  * `mesh` has been cleaned and stays clean. `intersectingPairs` is set to the number of intersecting
  * pairs in the given mesh. Nothing is split if it exceeds `maximumPairs`, unless many of the
- * triangles lie on each other, or reaches MostIntersections. Returns an empty string, or why
- * intersections are left.
+ * triangles lie on each other, or reaches MostIntersections. Pairs are counted only as far as that
+ * matters. Returns an empty string, or why intersections are left.
  */
 std::string Resolve(ResolvedMesh& mesh, int& intersectingPairs, const Progress& progress,
   double maximumPairs = HUGE_VAL);
 
-/** Does the same, given all `pairs` that intersect (FindIntersections). */
+/** Does the same, given the pairs that intersect (FindIntersections), all if fewer than `most`. */
 std::string ResolvePairs(ResolvedMesh& mesh, std::vector<std::pair<int, int>> pairs,
-  const Progress& progress, double maximumPairs = HUGE_VAL);
+  const Progress& progress, double maximumPairs = HUGE_VAL, std::size_t most = MostIntersections);
 
 /**
  * Does the same to a mesh whose parts touch but for rounding: points, edges and triangles that are

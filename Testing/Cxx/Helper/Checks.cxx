@@ -259,4 +259,22 @@ double DistanceTo(
   return std::sqrt(nearest);
 }
 
+double FarthestOfGrid(const std::vector<Point>& points, const std::vector<Triangle>& triangles,
+  const std::array<Point, 3>& t)
+{
+  constexpr int N = 40;
+  double farthest = 0.0;
+  for (int i = 0; i <= N; ++i)
+  {
+    for (int j = 0; j <= N - i; ++j)
+    {
+      const double a = i / double(N), b = j / double(N), c = 1.0 - a - b;
+      using carving::operator+, carving::operator*;
+      const Point p = a * t[0] + b * t[1] + c * t[2];
+      farthest = std::max(farthest, DistanceTo(points, triangles, p));
+    }
+  }
+  return farthest;
+}
+
 } // namespace checks

@@ -8,6 +8,7 @@
 
 #include "Core/Mesh/Mesh.h"
 
+#include <array>
 #include <vector>
 
 namespace checks
@@ -72,6 +73,10 @@ bool LineHits(const std::vector<carving::Point>& points,
 /** The distance of a point from the closest triangle. */
 double DistanceTo(const std::vector<carving::Point>& points,
   const std::vector<carving::Triangle>& triangles, const carving::Point& point);
+
+/** The largest distance from a mesh of the points of a grid, 40 to a side, on a triangle. */
+double FarthestOfGrid(const std::vector<carving::Point>& points,
+  const std::vector<carving::Triangle>& triangles, const std::array<carving::Point, 3>& t);
 
 } // namespace checks
 

@@ -14,28 +14,6 @@
 using namespace carving;
 using namespace carving::helper;
 
-namespace
-{
-
-/** The largest distance between a mesh and the points of a grid on a triangle. */
-double FarthestOfGrid(const TriangleMesh& mesh, const SurfaceDistance::Corners& t)
-{
-  constexpr int N = 40;
-  double farthest = 0.0;
-  for (int i = 0; i <= N; ++i)
-  {
-    for (int j = 0; j <= N - i; ++j)
-    {
-      const double a = i / double(N), b = j / double(N), c = 1.0 - a - b;
-      const Point p = a * t[0] + b * t[1] + c * t[2];
-      farthest = std::max(farthest, checks::DistanceTo(mesh.Points, mesh.Triangles, p));
-    }
-  }
-  return farthest;
-}
-
-} // namespace
-
 // Above a plane, the highest corner is the farthest point.
 TEST(SurfaceDistance, IsTheHeightAboveAPlane)
 {
@@ -74,7 +52,7 @@ TEST(SurfaceDistance, IsFoundInTheMiddleOfATriangle)
       mesh.Points.push_back(at + 0.1 * drawPoint());
       mesh.Triangles.push_back({ first, first + 1, first + 2 });
     }
-    const double expected = FarthestOfGrid(mesh, triangle);
+    const double expected = checks::FarthestOfGrid(mesh.Points, mesh.Triangles, triangle);
     const ResolvedMesh surface = AsResolved(mesh);
     SurfaceDistance distance(surface);
     // The grid underestimates the distance by less than its spacing.

@@ -172,7 +172,8 @@ void CopySources(std::size_t first, int otherSource, ResolvedMesh& surface)
 
 /**
  * Per seal: whether its patch is wider than a crack on average. Across a hole whose rim has edges
- * shorter than a crack is wide, every face may be thin.
+ * shorter than a crack is wide, every face may be thin. A patch without a rim, around a pocket,
+ * closes no hole.
  */
 std::vector<char> FindWideSeals(
   const Tetrahedralization& mesh, const std::vector<Seal>& seals, double width)
@@ -215,7 +216,7 @@ std::vector<char> FindWideSeals(
   for (int i = 0; i < static_cast<int>(seals.size()); ++i)
   {
     const int patch = patches.Find(i);
-    wide[i] = areas[patch] > width * rims[patch] / 2.0;
+    wide[i] = rims[patch] > 0.0 && areas[patch] > width * rims[patch] / 2.0;
   }
   return wide;
 }

@@ -308,7 +308,9 @@ RetriangulatedMesh AdoptFacesOf(
     const std::vector<Triangle> old = TrianglesOf(mesh, parts[i]);
     const std::set<Edge> border = FindBorder(old);
     const std::vector<Triangle> filling = FillBorder(faces.Get(i), border);
-    if (FindBorder(filling) != border || AsSets(filling) == AsSets(old))
+    // With fewer triangles, vertices would be lost: all of them where a part has no border.
+    if (filling.size() != old.size() || FindBorder(filling) != border ||
+      AsSets(filling) == AsSets(old))
     {
       continue;
     }

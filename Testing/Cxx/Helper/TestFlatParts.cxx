@@ -127,3 +127,12 @@ TEST(FlatParts, KeepTheirBorders)
     }
   }
 }
+
+// A closed part whose neighboring triangles are all flat within the tolerance stays: its border is
+// that of no triangles, too.
+TEST(FlatParts, DoNotVanishWithoutABorder)
+{
+  const ResolvedMesh given = Clean(AsResolved(
+    models::Joined(models::Sphere(1), models::Moved(models::Sphere(4), { 3, 0, 0 }, 0.01))));
+  EXPECT_EQ(AdoptDelaunayFaces(given, {}, 1e-3 * Diagonal(given.Points)).Changed, 0);
+}

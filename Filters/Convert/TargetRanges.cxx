@@ -21,7 +21,10 @@ TargetRange GetTargetRange(const carving::Profile& profile,
 {
   const auto [least, greatest] = carving::GetTargetRange(profile, type);
   const double leastSimplified = carving::FindLeastTarget(simplified, type);
-  return { least, greatest, std::isfinite(leastSimplified) ? leastSimplified : least };
+  // An error bound that no simplified level meets gets a step as carved.
+  const bool mayBeCarved = type == carving::LevelTarget::ErrorBound && !profile.Error.empty();
+  const double leastOfAll = mayBeCarved ? std::min(least, leastSimplified) : leastSimplified;
+  return { least, greatest, std::isfinite(leastSimplified) ? leastOfAll : least };
 }
 
 void AddTargetRanges(const carving::Profile& profile, const carving::SimplifiedStream& simplified,

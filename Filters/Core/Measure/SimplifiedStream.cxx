@@ -216,7 +216,12 @@ SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const Simpli
     const auto within = std::find_if(candidates.begin(), candidates.end(),
       [&](const SimplifiedLevel& level)
       { return TargetOf(stream, level, target.Type) <= target.Value; });
-    selected.Level = within != candidates.end() ? *within : candidates.back();
+    // Finer levels are not always closer. Levels whose error is not known come last.
+    const auto errorOf = [](const SimplifiedLevel& level)
+    { return std::isnan(level.Error) ? HUGE_VAL : level.Error; };
+    const auto closest = std::min_element(candidates.begin(), candidates.end(),
+      [&](const SimplifiedLevel& a, const SimplifiedLevel& b) { return errorOf(a) < errorOf(b); });
+    selected.Level = within != candidates.end() ? *within : *closest;
   }
   else
   {
@@ -229,7 +234,7 @@ SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const Simpli
 int FindCarvedStepWithin(
   const SimplifiedStream& stream, const Profile& profile, const SimplifiedTarget& target)
 {
-  if (target.Type != LevelTarget::ErrorBound)
+  if (target.Type != LevelTarget::ErrorBound || stream.Levels.empty())
   {
     return -1;
   }

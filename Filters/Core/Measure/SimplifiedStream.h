@@ -87,9 +87,9 @@ struct SelectedLevel
 SelectedLevel SelectSimplifiedLevel(const SimplifiedStream& stream, const SimplifiedTarget& target);
 
 /**
- * The step that is within an error bound as carved, for a bound that no simplified level meets: the
- * coarsest one that is no earlier than those of simplified levels, which larger bounds may get. -1
- * if there is none, for another type, or without errors in the profile.
+ * For an error bound that no simplified level meets: the first carved step within the bound that is
+ * no earlier than any simplified level's, so that a smaller bound never gets an earlier step. -1 if
+ * there is none, for another type, without simplified levels, or without errors in the profile.
  */
 int FindCarvedStepWithin(
   const SimplifiedStream& stream, const Profile& profile, const SimplifiedTarget& target);

@@ -286,6 +286,22 @@ std::vector<int> FindSources(
   return sources;
 }
 
+/** An upper bound of the distance of triangles from their sources. */
+double FarthestFromSources(
+  const ResolvedMesh& mesh, const std::vector<Triangle>& triangles, const std::vector<int>& sources)
+{
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const FacetCorners<3> source = carving::CornersOf<3>(mesh.Points, mesh.Facets[sources[i]]);
+    for (const int p : triangles[i])
+    {
+      farthest = std::max(farthest, DistanceFromPlane(source, mesh.Points[p]));
+    }
+  }
+  return farthest;
+}
+
 } // namespace
 
 RetriangulatedMesh AdoptFacesOf(
@@ -314,16 +330,17 @@ RetriangulatedMesh AdoptFacesOf(
     {
       continue;
     }
-    ++result.Changed;
     const std::vector<int> sources = FindSources(mesh, parts[i], filling);
+    const double distance = FarthestFromSources(mesh, filling, sources);
+    if (distance > tolerance)
+    {
+      continue;
+    }
+    ++result.Changed;
+    result.Distance = std::max(result.Distance, distance);
     for (std::size_t k = 0; k < filling.size(); ++k)
     {
       AppendFacet<3>(mesh, sources[k], filling[k], result.Mesh);
-      const FacetCorners<3> source = carving::CornersOf<3>(mesh.Points, mesh.Facets[sources[k]]);
-      for (const int p : filling[k])
-      {
-        result.Distance = std::max(result.Distance, DistanceFromPlane(source, mesh.Points[p]));
-      }
     }
     for (const int facet : parts[i].Facets)
     {
@@ -336,10 +353,6 @@ RetriangulatedMesh AdoptFacesOf(
     {
       AppendFacet<3>(mesh, facet, mesh.Facets[facet], result.Mesh);
     }
-  }
-  if (result.Distance > tolerance)
-  {
-    result.Changed = 0;
   }
   return result;
 }

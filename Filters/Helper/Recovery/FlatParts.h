@@ -16,9 +16,9 @@ namespace carving::helper
 struct RetriangulatedMesh
 {
   ResolvedMesh Mesh;
-  /** The number of flat parts with other triangles. With 0, `Mesh` is not to be used. */
+  /** The number of flat parts whose triangles were replaced. If 0, `Mesh` is incomplete. */
   int Changed = 0;
-  double Distance = 0.0; ///< between the old and the new triangles, at most
+  double Distance = 0.0; ///< an upper bound of that between old and new triangles
 };
 
 /**
@@ -27,10 +27,10 @@ struct RetriangulatedMesh
  * A part is flat if neighboring triangles are within `tolerance`, a length, of a common plane.
  *
  * Points that lie in a plane and on a sphere but for rounding, such as those of the end of a
- * cylinder, have many triangulations. Recovering another one than that of the tetrahedralization
- * takes long. A part stays as it is where the faces do not fill its border, or are its triangles
- * already. A new triangle takes over the source of an old one close to it. If any new triangle is
- * farther than the tolerance from the old ones, nothing changes.
+ * cylinder, have many triangulations. It takes long to recover a triangulation other than the
+ * Delaunay tetrahedralization's. A part stays as it is where the faces do not fill its border with
+ * as many triangles, are its triangles already, or are farther than the tolerance from them. A new
+ * triangle takes over the source of an old one close to it.
  */
 RetriangulatedMesh AdoptDelaunayFaces(
   const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance);

@@ -111,6 +111,26 @@ TEST(SimplifiedStream, GivesErrorBounds)
   EXPECT_NE(problem.find("within 1."), std::string::npos);
 }
 
+// The level closest to the mesh may be a coarse one. An unknown error is no reason to take a level.
+TEST(SimplifiedStream, GivesTheClosestOfThoseOutOfBound)
+{
+  SimplifiedStream stream = MakeStream();
+  stream.Levels[1].Error = 0.8;
+  stream.Levels[2].Error = 1.0;
+  EXPECT_EQ(Select(stream, 0.5, LevelTarget::ErrorBound).Level.Error, 0.8);
+  stream.Levels[0].Error = std::nan("");
+  EXPECT_EQ(Select(stream, 0.5, LevelTarget::ErrorBound).Level.Error, 0.8);
+}
+
+// A stream without simplified levels gives no step for an error bound: a warning follows instead.
+TEST(SimplifiedStream, GivesNoCarvedStepWithoutLevels)
+{
+  Profile profile;
+  profile.Error = { 1.0, 0.5, 0.0 };
+  EXPECT_EQ(
+    FindCarvedStepWithin(SimplifiedStream(), profile, { LevelTarget::ErrorBound, 2, 0.6, {} }), -1);
+}
+
 // A bound that no simplified level meets gets a step as carved, no earlier than those of simplified
 // levels, so that pieces never merge from one bound to a smaller one.
 TEST(SimplifiedStream, GivesCarvedStepsWithinABound)

@@ -112,7 +112,8 @@ void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
   }
   reporter.Begin(Stage::Classify);
   Tetrahedralization split;
-  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split) > 0)
+  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split).Points >
+    0)
   {
     const auto closesCracks = [&](SolidRule rule)
     {

@@ -212,11 +212,12 @@ std::vector<char> FindWideSeals(
     areas[patch] += patch != i ? areas[i] : 0.0;
     rims[patch] += patch != i ? rims[i] : 0.0;
   }
+  constexpr double overlap = 4.0; // faces of a patch may lie on each other, and all count
   std::vector<char> wide(seals.size());
   for (int i = 0; i < static_cast<int>(seals.size()); ++i)
   {
     const int patch = patches.Find(i);
-    wide[i] = rims[patch] > 0.0 && areas[patch] > width * rims[patch] / 2.0;
+    wide[i] = rims[patch] > 0.0 && areas[patch] > overlap * width * rims[patch] / 2.0;
   }
   return wide;
 }

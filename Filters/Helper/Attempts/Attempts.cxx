@@ -5,6 +5,7 @@
 #include "Helper/Attempts/Patience.h"
 #include "Helper/Attempts/Shuffle.h"
 #include "Helper/Base/GrownBox.h"
+#include "Helper/Exact/CrackEdges.h"
 #include "Helper/Exact/InitialSurface.h"
 
 #include <chrono>
@@ -89,8 +90,14 @@ bool Attempts::RunTetGen(int order, SurfacePoints surfacePoints)
   this->Host.Begin(Stage::Tetrahedralize);
   Tetrahedralization& result = this->TheReply.Result;
   Shuffle(order, result.Surface);
-  return this->WriteExact(
-    Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result));
+  Ending ending = Tetrahedralize(this->FurtherPoints(result.Surface.Points), surfacePoints, result);
+  if (ending.Mistake.empty() && surfacePoints == SurfacePoints::Allowed &&
+    this->TheJob.Conformity == Conformity::Auto && this->TheJob.Solid != SolidRule::SurfaceOnly &&
+    HasCracksThatStayOpen(result))
+  {
+    ending.Mistake = "points added on the sides of cracks prevent that the cracks are closed";
+  }
+  return this->WriteExact(ending);
 }
 
 bool Attempts::RunRecovery(RecoveryEffort effort)

@@ -2,8 +2,11 @@
 #include "Helper/Exact/CrackEdges.h"
 
 #include "Core/Mesh/Box.h"
+#include "Core/Mesh/FacetTree.h"
 #include "Core/Mesh/SortUnique.h"
 #include "Core/Mesh/Vector.h"
+#include "Core/Solid/Cracks.h"
+#include "Core/Solid/Winding.h"
 #include "Helper/Base/SortedEdge.h"
 #include "Helper/Exact/EdgeSplitter.h"
 #include "Helper/Resolve/NearPairs.h"
@@ -163,15 +166,12 @@ bool LeavesCrack(
 }
 
 /**
- * Where edges with points from `first` on pass through cracks. An edge of M does so only if it
- * leaves the crack on both sides: others are the sides of cracks.
+ * Where edges with points from `first` on pass through cracks. An edge does so only if it leaves
+ * the crack on both sides: others lie along the crack, and M's among them are its sides.
  */
 Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cracks, double width)
 {
   const std::vector<Point>& points = mesh.Surface.Points;
-  const Edges edgesOfM = FindEdges(mesh.Surface);
-  const auto isOfM = [&edgesOfM](const Edge& edge)
-  { return std::binary_search(edgesOfM.begin(), edgesOfM.end(), edge); };
   const Edges candidates = FindCandidates(mesh, first, cracks, width);
   Passages passages;
   VisitPairs(WidenedBoxes(points, candidates, 0.0), WidenedBoxes(points, cracks, width),
@@ -179,7 +179,7 @@ Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cr
     {
       const Edge& edge = candidates[i];
       const std::optional<Passage> passage = FindPassage(points, edge, cracks[k], width);
-      if (passage && (!isOfM(edge) || LeavesCrack(points, edge, cracks[k], width)))
+      if (passage && LeavesCrack(points, edge, cracks[k], width))
       {
         Passage& best = passages.try_emplace(edge, *passage).first->second;
         best = std::min(best, *passage,
@@ -191,21 +191,22 @@ Passages FindPassages(const Tetrahedralization& mesh, int first, const Edges& cr
 
 } // namespace
 
-int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrahedralization& split)
+CrackSplits SplitEdgesThroughCracks(
+  const Tetrahedralization& mesh, double width, Tetrahedralization& split)
 {
   constexpr int rounds = 4; // an edge may pass through several cracks
   const Edges cracks = FindCracks(mesh.Surface.Points, FindRims(FindEdges(mesh.GetInput())), width);
   if (cracks.empty())
   {
-    return 0;
+    return {};
   }
   Passages passages = FindPassages(mesh, 0, cracks, width);
   if (passages.empty())
   {
-    return 0;
+    return {};
   }
   split = mesh;
-  int added = 0;
+  CrackSplits result;
   for (int round = 0; round < rounds && !passages.empty(); ++round)
   {
     const int first = static_cast<int>(split.Surface.Points.size());
@@ -215,12 +216,20 @@ int SplitEdgesThroughCracks(const Tetrahedralization& mesh, double width, Tetrah
     EdgeSplitter splitter(passing, split);
     for (const auto& [edge, passage] : passages)
     {
-      added += splitter.Split(edge, passage.Share, 0.25 * width);
+      result.Points += splitter.Split(edge, passage.Share, 0.25 * width);
     }
     splitter.Finish();
     passages = FindPassages(split, first, cracks, width);
   }
-  return added;
+  result.AreEnough = passages.empty();
+  return result;
+}
+
+bool HasCracksThatStayOpen(const Tetrahedralization& mesh)
+{
+  Tetrahedralization split;
+  const double width = MostCrackWidth * Diagonal(mesh.GetInput());
+  return !IsClosed(mesh.GetInput()) && !SplitEdgesThroughCracks(mesh, width, split).AreEnough;
 }
 
 } // namespace carving::helper

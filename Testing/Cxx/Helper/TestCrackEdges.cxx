@@ -59,7 +59,7 @@ int CountNotPositive(const Tetrahedralization& mesh)
 
 int SplitEdges(const Tetrahedralization& mesh, Tetrahedralization& split)
 {
-  return SplitEdgesThroughCracks(mesh, MostCrackWidth * Diagonal(mesh.Surface), split);
+  return SplitEdgesThroughCracks(mesh, MostCrackWidth * Diagonal(mesh.Surface), split).Points;
 }
 
 double VolumeOf(const TriangleMesh& mesh)

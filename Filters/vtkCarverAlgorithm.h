@@ -338,7 +338,8 @@ public:
    * places, unless several become one. If TetGen fails on that mesh, too, all points are rounded to
    * a grid, so that parts that nearly touch do touch or vanish, and the mesh is resolved again. In
    * EXACT mode, snapping is the last attempt; in AUTO mode, it comes before the mesh is only
-   * enclosed. Whenever a mesh is enclosed, flat parts get other triangles, but no point is moved.
+   * enclosed. Where a mesh is enclosed and triangles of flat parts cannot be recovered, these parts
+   * get other triangles, but no point is moved.
    * Snapping is without effect on a CUSTOM initial approximation and on contours. M is then the
    * snapped mesh: levels enclose the snapped mesh, and the last level is the snapped mesh. The
    * array `SnapDistance` of the field data has the largest distance that a point has been moved. If

@@ -132,7 +132,7 @@
  *   attempt reached a limit;
  * - Strategy;
  * - EnclosingTolerance, if the mesh is only enclosed;
- * - SnapTolerance, if the mesh was snapped, or was only enclosed in AUTO mode;
+ * - SnapTolerance, if the mesh was snapped or only enclosed;
  * - SolidRule, if the first attempts failed, or M has cracks;
  * - TimeLimit or MemoryLimit, except if raised where no attempt reached a limit.
  *

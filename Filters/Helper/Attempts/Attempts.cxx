@@ -95,7 +95,7 @@ bool Attempts::RunTetGen(int order, SurfacePoints surfacePoints)
     this->TheJob.Conformity == Conformity::Auto && this->TheJob.Solid != SolidRule::SurfaceOnly &&
     HasCracksThatStayOpen(result))
   {
-    ending.Mistake = "points added on the sides of cracks prevent that the cracks are closed";
+    ending.Mistake = "TetGen added points on the sides of cracks, which cannot be closed then";
   }
   return this->WriteExact(ending);
 }

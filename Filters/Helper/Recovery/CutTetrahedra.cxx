@@ -26,30 +26,54 @@ using Pairs = std::vector<std::pair<int, int>>;
 constexpr std::size_t MaximumCuts = 1500000;
 constexpr double LeastYield = 0.0025; ///< of M's area; 100,000 changes take half a second
 
-/** Tetrahedralizes the points of a mesh, whose flat parts get other triangles. */
-CutTetrahedra Tetrahedralize(ResolvedMesh input, const std::vector<Point>& further, double flatness,
-  int threads, const Progress& progress)
+CutTetrahedra Tetrahedralize(
+  ResolvedMesh input, const std::vector<Point>& further, int threads, const Progress& progress)
 {
   CutTetrahedra result;
   result.Input = std::move(input);
-  PiercedMesh::Delaunay delaunay = PiercedMesh::Tetrahedralize(result.Input.Points, further);
-  if (flatness > 0.0)
-  {
-    RetriangulatedMesh adopted = AdoptFacesOf(delaunay, result.Input, flatness);
-    if (adopted.Changed > 0)
-    {
-      result.Input = std::move(adopted.Mesh);
-      result.FlatDistance = adopted.Distance;
-    }
-  }
   result.Mesh =
-    std::make_unique<PiercedMesh>(std::move(delaunay), result.Input, further, threads, progress);
+    std::make_unique<PiercedMesh>(PiercedMesh::Tetrahedralize(result.Input.Points, further),
+      result.Input, further, threads, progress);
   return result;
 }
 
-/** Recovers and cuts; with `tolerance` 0, only recovers. */
-void MeetParts(
-  const Pairs& pairs, double tolerance, int threads, const Progress& progress, CutTetrahedra& cells)
+/**
+ * Gives flat parts of M of which triangles are missing the triangles that the tetrahedra have.
+ * Nothing has been split before, so that each facet is one part.
+ */
+void AdoptFaces(double flatness, int threads, CutTetrahedra& cells)
+{
+  const std::vector<int> missing = cells.Mesh->FindMissing();
+  std::vector<char> isMissing(cells.Input.Facets.size(), 0);
+  for (const int part : missing)
+  {
+    isMissing[part] = 1;
+  }
+  RetriangulatedMesh adopted =
+    AdoptFacesOf(cells.Mesh->GetDelaunay(), cells.Input, flatness, isMissing);
+  if (adopted.Changed == 0)
+  {
+    return;
+  }
+  std::vector<int> replaced;
+  std::vector<Subdivision::Part> given;
+  for (int facet = 0; facet < static_cast<int>(isMissing.size()); ++facet)
+  {
+    if (adopted.Mesh.Facets[facet] != cells.Input.Facets[facet])
+    {
+      replaced.push_back(facet);
+      given.push_back({ adopted.Mesh.Facets[facet], facet });
+    }
+  }
+  cells.Mesh->TakeParts(replaced);
+  cells.Mesh->GiveParts(given, threads, [](double) { return true; });
+  cells.Input = std::move(adopted.Mesh);
+  cells.FlatDistance = adopted.Distance;
+}
+
+/** Recovers, lets flat parts be, and cuts; with `tolerance` 0, does not cut. */
+void MeetParts(const Pairs& pairs, double tolerance, double flatness, int threads,
+  const Progress& progress, CutTetrahedra& cells)
 {
   constexpr double often = 0.01; // per triangle
   const auto facets = static_cast<std::ptrdiff_t>(cells.Input.Facets.size());
@@ -57,6 +81,10 @@ void MeetParts(
   // Cutting takes less time than more steps would, but not where many triangles cross each other.
   const std::ptrdiff_t stepsPerFacet = cells.Crosses ? 100 : 30;
   Recover(*cells.Mesh, 100000 + stepsPerFacet * facets, PartOf(progress, 0.0, 0.2));
+  if (flatness > 0.0)
+  {
+    AdoptFaces(flatness, threads, cells);
+  }
   if (tolerance > 0.0)
   {
     cells.Needles = Cut(*cells.Mesh, tolerance,
@@ -103,10 +131,9 @@ CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& furth
     threads > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
   std::future<Pairs> search = std::async(policy,
     [&] { return tolerance > 0.0 ? FindIntersections(input.Points, input.Facets) : Pairs(); });
-  CutTetrahedra cells =
-    Tetrahedralize(input, further, flatness, threads, PartOf(progress, 0.0, 0.1));
+  CutTetrahedra cells = Tetrahedralize(input, further, threads, PartOf(progress, 0.0, 0.1));
   Pairs pairs = search.get();
-  MeetParts(pairs, tolerance, threads, PartOf(progress, 0.1, 0.7), cells);
+  MeetParts(pairs, tolerance, flatness, threads, PartOf(progress, 0.1, 0.7), cells);
   if (!MayMeetMoreResolved(cells, pairs.size()))
   {
     return cells;
@@ -118,8 +145,8 @@ CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& furth
     return cells;
   }
   CutTetrahedra others =
-    Tetrahedralize(std::move(resolved), further, flatness, threads, PartOf(progress, 0.7, 0.8));
-  MeetParts({}, tolerance, threads, PartOf(progress, 0.8, 1.0), others);
+    Tetrahedralize(std::move(resolved), further, threads, PartOf(progress, 0.7, 0.8));
+  MeetParts({}, tolerance, flatness, threads, PartOf(progress, 0.8, 1.0), others);
   others.ResolvedPairs = count;
   return MetShareOf(others) > MetShareOf(cells) ? std::move(others) : std::move(cells);
 }

@@ -16,12 +16,13 @@
 namespace carving::helper
 {
 
-/** Tetrahedra whose faces are as much of M as recovery and cutting reach. */
+/** A tetrahedralization after recovery and cutting: its faces cover M as far as possible. */
 struct CutTetrahedra
 {
-  ResolvedMesh Input; ///< M, with other triangles in flat parts, and resolved if that meets more
+  ResolvedMesh
+    Input; ///< M, with other triangles in some flat parts, and resolved if that meets more
   std::unique_ptr<PiercedMesh> Mesh;
-  std::vector<Subdivision::Part> Needles; ///< that the mesh lacks
+  std::vector<Subdivision::Part> Needles; ///< parts almost without area that are not in the mesh
   bool Crosses = false;                   ///< the input crosses itself often
   int ResolvedPairs = 0;                  ///< see Enclosure
   double FlatDistance = 0.0;              ///< see Enclosure
@@ -29,8 +30,8 @@ struct CutTetrahedra
 
 /**
  * Recovers and cuts M or, if more of it is met then, the resolved M. `tolerance` is that of Cut;
- * with 0, M is only recovered. Parts that are flat within `flatness` get other triangles first;
- * with 0, none does. Both are lengths.
+ * with 0, M is only recovered. Parts that are flat within `flatness` and lack triangles after
+ * recovery get other ones; with 0, none does. Both are lengths.
  */
 CutTetrahedra CutBest(const ResolvedMesh& input, const std::vector<Point>& further,
   double tolerance, double flatness, int threads, const Progress& progress);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: AGPL-3.0-or-later
 /**
  * @file
- * Flat parts of M, triangulated as a given Delaunay tetrahedralization has them. Not in the paper.
+ * Flat parts of M, triangulated as a given tetrahedralization has them. Not in the paper.
  */
 #ifndef carving_DelaunayFaces_h
 #define carving_DelaunayFaces_h
@@ -9,12 +9,18 @@
 #include "Helper/Enclosing/PiercedMesh.h"
 #include "Helper/Recovery/FlatParts.h"
 
+#include <vector>
+
 namespace carving::helper
 {
 
-/** As AdoptDelaunayFaces, with a tetrahedralization of the mesh's points, and maybe of others. */
-RetriangulatedMesh AdoptFacesOf(
-  const PiercedMesh::Delaunay& delaunay, const ResolvedMesh& mesh, double tolerance);
+/**
+ * Like AdoptDelaunayFaces, from a tetrahedralization that is there already. It may have further
+ * points and other faces than a Delaunay tetrahedralization. Only parts with a facet that
+ * `isMissing` are replaced.
+ */
+RetriangulatedMesh AdoptFacesOf(const PiercedMesh::Delaunay& cells, const ResolvedMesh& mesh,
+  double tolerance, const std::vector<char>& isMissing);
 
 } // namespace carving::helper
 

@@ -29,7 +29,7 @@ struct Enclosure
   KeptDistances Distances;
   double MetShare;     ///< the share of M's area that is faces
   int ResolvedPairs;   ///< the pairs of triangles that crossed before the input was resolved, or 0
-  double FlatDistance; ///< of M from the triangles that its flat parts were given, at most
+  double FlatDistance; ///< at most so far are the new triangles of flat parts from M
 };
 
 /**
@@ -40,7 +40,7 @@ struct Enclosure
  *
  * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has
  * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input, with
- * other triangles in flat parts, or, if more of that is met, the resolved input, and `MetShares` is
+ * other triangles in some flat parts, or, if more of that is met, the resolved input, and `MetShares` is
  * there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further,

@@ -304,23 +304,28 @@ double FarthestFromSources(
 
 } // namespace
 
-RetriangulatedMesh AdoptFacesOf(
-  const Delaunay& delaunay, const ResolvedMesh& mesh, double tolerance)
+RetriangulatedMesh AdoptFacesOf(const Delaunay& delaunay, const ResolvedMesh& mesh,
+  double tolerance, const std::vector<char>& isMissing)
 {
   constexpr double least = 1e-16; // of the diagonal: other triangles differ by a rounding at least
   RetriangulatedMesh result;
   result.Distance = least * Diagonal(mesh.Points);
-  const std::vector<FlatPart> parts = FindFlatParts(mesh, tolerance);
+  std::vector<FlatPart> parts = FindFlatParts(mesh, tolerance);
+  const auto isWhole = [&isMissing](const FlatPart& part)
+  {
+    return std::none_of(
+      part.Facets.begin(), part.Facets.end(), [&](int facet) { return isMissing[facet] != 0; });
+  };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), isWhole), parts.end());
   if (parts.empty())
   {
     return result;
   }
   const PartFaces faces(mesh, parts, delaunay);
-  std::vector<char> isReplaced(mesh.Facets.size(), 0);
-  result.Mesh.Points = mesh.Points;
-  result.Mesh.PointSources = mesh.PointSources;
+  result.Mesh = mesh;
   for (int i = 0; i < static_cast<int>(parts.size()); ++i)
   {
+    const std::vector<int>& facets = parts[i].Facets;
     const std::vector<Triangle> old = TrianglesOf(mesh, parts[i]);
     const std::set<Edge> border = FindBorder(old);
     const std::vector<Triangle> filling = FillBorder(faces.Get(i), border);
@@ -340,18 +345,8 @@ RetriangulatedMesh AdoptFacesOf(
     result.Distance = std::max(result.Distance, distance);
     for (std::size_t k = 0; k < filling.size(); ++k)
     {
-      AppendFacet<3>(mesh, sources[k], filling[k], result.Mesh);
-    }
-    for (const int facet : parts[i].Facets)
-    {
-      isReplaced[facet] = 1;
-    }
-  }
-  for (std::size_t facet = 0; facet < mesh.Facets.size(); ++facet)
-  {
-    if (!isReplaced[facet])
-    {
-      AppendFacet<3>(mesh, facet, mesh.Facets[facet], result.Mesh);
+      result.Mesh.Facets[facets[k]] = filling[k];
+      result.Mesh.FacetSources[facets[k]] = mesh.FacetSources[sources[k]];
     }
   }
   return result;
@@ -360,7 +355,8 @@ RetriangulatedMesh AdoptFacesOf(
 RetriangulatedMesh AdoptDelaunayFaces(
   const ResolvedMesh& mesh, const std::vector<Point>& further, double tolerance)
 {
-  return AdoptFacesOf(PiercedMesh::Tetrahedralize(mesh.Points, further), mesh, tolerance);
+  return AdoptFacesOf(PiercedMesh::Tetrahedralize(mesh.Points, further), mesh, tolerance,
+    std::vector<char>(mesh.Facets.size(), 1));
 }
 
 } // namespace carving::helper

@@ -15,7 +15,7 @@ namespace carving::helper
 
 struct RetriangulatedMesh
 {
-  ResolvedMesh Mesh;
+  ResolvedMesh Mesh; ///< each facet in the place of one of the same part
   /** The number of flat parts whose triangles were replaced. If 0, `Mesh` is incomplete. */
   int Changed = 0;
   double Distance = 0.0; ///< an upper bound of that between old and new triangles

@@ -199,8 +199,9 @@ TEST(Enclose, MeetsRotatedPrisms)
     SCOPED_TRACE("prisms " + std::to_string(i));
     const auto prism = [&](double from)
     { return models::Prism(3 + static_cast<int>(random() % 200), from, from + length(random)); };
+    const TriangleMesh below = prism(-21.0), above = prism(1.0); // the order of arguments is open
     Job job;
-    job.Mesh = models::Rotated(models::Joined(prism(-21.0), prism(1.0)), random);
+    job.Mesh = models::Rotated(models::Joined(below, above), random);
     job.Conformity = Conformity::Enclosing;
     job.SnapTolerance = 1e-12;
     const Reply reply = GetReply(job);
@@ -208,6 +209,34 @@ TEST(Enclose, MeetsRotatedPrisms)
     EXPECT_EQ(reply.PointsAdded, 0);
     EXPECT_LE(reply.SnapDistance, 1e-12 * Diagonal(job.Mesh.Points));
   }
+}
+
+// Triangles of a flat part that can be recovered are not replaced by others, which would mix their
+// cell data. Squares have two Delaunay triangulations.
+TEST(Enclose, KeepsTrianglesThatCanBeRecovered)
+{
+  constexpr int n = 6;
+  Job job;
+  job.Mesh.Points = models::Sheet(n).Points;
+  std::mt19937_64 random(8);
+  for (int i = 0; i < n; ++i)
+  {
+    for (int k = 0; k < n; ++k)
+    {
+      const int a = (n + 1) * i + k, b = a + n + 1, c = b + 1, d = a + 1;
+      const bool isRising = random() % 2 == 0;
+      job.Mesh.Triangles.push_back({ a, b, isRising ? c : d });
+      job.Mesh.Triangles.push_back({ isRising ? a : b, c, d });
+    }
+  }
+  const int apex = static_cast<int>(job.Mesh.Points.size());
+  job.Mesh.Points.push_back({ 0.52, 0.53, -1.0 });
+  job.Mesh.Triangles.push_back({ 0, apex, n });
+  job.Conformity = Conformity::Enclosing;
+  job.SnapTolerance = 1e-12;
+  const Reply reply = GetReply(job);
+  EXPECT_EQ(reply.MetShare, 1.0);
+  EXPECT_EQ(reply.SnapDistance, 0.0);
 }
 
 // Levels do not touch themselves at a new vertex in the plane of a dented hull face. Few soups have

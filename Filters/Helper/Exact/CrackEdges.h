@@ -23,9 +23,10 @@ struct CrackSplits
  * that, thin faces may close cracks (SealCracks) that none closed before: an edge from one side of
  * a crack to the other has no thin faces around it. Nor have two edges of M that pass each other
  * where a vertex lies on both, but for rounding: such edges of M are split, too, with their facets.
- * Tetrahedra stay positively oriented; edges for which rounding prevents that stay whole. Each round
- * makes new edges, some of which pass through other cracks. Where TetGen has added points on the
- * sides of cracks, further rounds make ever more of them. Without edges to split, there is no copy.
+ * Tetrahedra stay positively oriented; edges for which rounding prevents that stay whole. Each
+ * round makes new edges, some of which pass through other cracks. Where TetGen has added points on
+ * the sides of cracks, further rounds make ever more of them. Without edges to split, there is no
+ * copy.
  */
 CrackSplits SplitEdgesThroughCracks(
   const Tetrahedralization& mesh, double width, Tetrahedralization& split);

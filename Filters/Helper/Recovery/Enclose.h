@@ -40,8 +40,8 @@ struct Enclosure
  *
  * The result does not depend on `threads`. In it, `Kept` marks the kept tetrahedra, `Surface` has
  * the faces that overlap a triangle of M in an area, as parts of M, `Unresolved` is the input, with
- * other triangles in some flat parts, or, if more of that is met, the resolved input, and `MetShares` is
- * there.
+ * other triangles in some flat parts, or, if more of that is met, the resolved input, and
+ * `MetShares` is there.
  */
 Enclosure Enclose(const ResolvedMesh& input, const std::vector<Point>& further,
   const EnclosingTolerances& tolerances, int threads, const std::function<bool(double)>& progress,

@@ -112,8 +112,9 @@ void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
   }
   reporter.Begin(Stage::Classify);
   Tetrahedralization split;
-  if (SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split).Points >
-    0)
+  const CrackSplits splits =
+    SplitEdgesThroughCracks(result, MostCrackWidth * Diagonal(result.GetInput()), split);
+  if (splits.Points > 0)
   {
     const auto closesCracks = [&](SolidRule rule)
     {
@@ -127,6 +128,7 @@ void PrepareCracksOf(const Job& job, Reply& reply, Reporter& reporter)
       const bool matters = isOfUse || (rule != job.Solid && closesCracks(rule));
       reply.SolidMatters = reply.SolidMatters != 0 || matters;
     }
+    reply.CracksOpen = !splits.AreEnough && !isOfUse && job.Solid != SolidRule::SurfaceOnly;
     if (isOfUse)
     {
       result = std::move(split);

@@ -48,6 +48,12 @@ void DescribeDecomposition(
     notes.push_back("The mesh has cracks narrower than a millionth of its diagonal: " +
       std::to_string(reply.CracksSealed) + " triangles were added to close its solid.");
   }
+  if (reply.CracksOpen != 0)
+  {
+    notes.push_back(
+      "The mesh has cracks that cannot be closed, so that levels may show the inside of its "
+      "solid. A SnapTolerance of 1e-6 mostly joins the sides of such cracks.");
+  }
   if (reply.SnapDistance > 0.0)
   {
     std::ostringstream text;

@@ -110,6 +110,7 @@ void VisitReply(Archive& archive, ReplyType& reply)
   archive.Value(reply.PointsAdded);
   archive.Value(reply.InteriorDropped);
   archive.Value(reply.CracksSealed);
+  archive.Value(reply.CracksOpen);
   archive.Value(reply.SolidMatters);
   archive.Value(reply.SnapDistance);
   archive.Value(reply.IntersectingPairs);

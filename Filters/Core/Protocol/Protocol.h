@@ -209,6 +209,7 @@ struct Reply
   int PointsAdded = 0;           ///< in enclosing mode: by refinement and recovery
   int InteriorDropped = 0;       ///< triangles with solid on both sides that were omitted
   int CracksSealed = 0;          ///< faces added to M to close its solid
+  int CracksOpen = 0;            ///< nonzero if edges pass through cracks that nothing closes
   int SolidMatters = 0;          ///< nonzero if the result may depend on the solid rule
   double SnapDistance = 0.0;     ///< the largest displacement of a point of M by snapping
   /**

@@ -36,6 +36,7 @@ Reply MakeReply()
   reply.PointsAdded = 11;
   reply.InteriorDropped = 12;
   reply.CracksSealed = 13;
+  reply.CracksOpen = 1;
   reply.SolidMatters = 1;
   // A tetrahedron, of which an edge collapses into a new point: two triangles are left.
   Decimation& decimation = reply.Decimation;
@@ -141,6 +142,7 @@ TEST(Protocol, RestoresAReply)
   EXPECT_EQ(restored.PointsAdded, 11);
   EXPECT_EQ(restored.InteriorDropped, 12);
   EXPECT_EQ(restored.CracksSealed, 13);
+  EXPECT_EQ(restored.CracksOpen, 1);
   EXPECT_EQ(restored.SolidMatters, 1);
   EXPECT_EQ(restored.IntersectingPairs, 7);
   EXPECT_EQ(restored.SnapDistance, 0.125);

@@ -132,6 +132,7 @@ TEST(CrackEdges, KeepTheMeshValid)
 {
   std::mt19937_64 random(2);
   int added = 0;
+  std::size_t facets = 0;
   for (int i = 0; i < 12; ++i)
   {
     const Tetrahedralization mesh =
@@ -144,6 +145,7 @@ TEST(CrackEdges, KeepTheMeshValid)
       continue;
     }
     added += points;
+    facets += split.Surface.Facets.size() - mesh.Surface.Facets.size();
     EXPECT_EQ(FindMistake(split), "");
     EXPECT_EQ(CountNotPositive(split), 0);
     EXPECT_NEAR(VolumeOfCells(split), VolumeOfCells(mesh), 1e-12);
@@ -158,6 +160,7 @@ TEST(CrackEdges, KeepTheMeshValid)
     }
   }
   EXPECT_GT(added, 0);
+  EXPECT_GT(facets, 0u); // of M, where its edges pass each other
 }
 
 // Nothing is split where there is no crack: closed, open, or with a slit that is wider.

@@ -110,22 +110,30 @@ TEST(FlatParts, StayWhereNothingIsToBeGained)
 {
   EXPECT_EQ(Adopt(Clean(AsResolved(models::Sphere(2)))).Changed, 0);
   EXPECT_EQ(Adopt(Clean(AsResolved(models::Tetrahedron()))).Changed, 0);
+  std::mt19937_64 random(4);
+  const RetriangulatedMesh adopted =
+    Adopt(Clean(AsResolved(models::Rotated(models::Prism(60, 0.0, 2.0), random))));
+  ASSERT_GT(adopted.Changed, 0);
+  EXPECT_EQ(Adopt(adopted.Mesh).Changed, 0);
 }
 
 // Flat parts that are not convex, or have a hole, keep their borders.
 TEST(FlatParts, KeepTheirBorders)
 {
   std::mt19937_64 random(3);
+  int changed = 0;
   for (int i = 0; i < 10; ++i)
   {
     const ResolvedMesh given = Clean(AsResolved(models::Rotated(Washer(40), random)));
     const RetriangulatedMesh adopted = Adopt(given);
+    changed += adopted.Changed;
     if (adopted.Changed > 0)
     {
       EXPECT_TRUE(checks::IsClosed(adopted.Mesh.Facets));
       EXPECT_NEAR(AreaOf(adopted.Mesh), AreaOf(given), 1e-12);
     }
   }
+  EXPECT_GT(changed, 0);
 }
 
 // A closed part whose neighboring triangles are all flat within the tolerance stays: its border is

@@ -101,8 +101,8 @@ TEST(CarverNotes, SaysThatCracksWereSealed)
   EXPECT_NEAR(mass->GetVolume(), 6.0, 1e-5);
 }
 
-// Where edges lead through cracks however many are split, a note says so, and what to do. Some of the
-// prisms have such cracks; their sides are joined within a larger tolerance.
+// Where edges lead through cracks however many are split, a note says so, and what to do. Some of
+// the prisms have such cracks; their sides are joined within a larger tolerance.
 TEST(CarverNotes, SaysThatCracksStayOpen)
 {
   constexpr int most = 12;

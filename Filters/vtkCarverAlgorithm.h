@@ -339,12 +339,11 @@ public:
    * a grid, so that parts that nearly touch do touch or vanish, and the mesh is resolved again. In
    * EXACT mode, snapping is the last attempt; in AUTO mode, it comes before the mesh is only
    * enclosed. Where a mesh is enclosed and triangles of flat parts cannot be recovered, these parts
-   * get other triangles, but no point is moved.
-   * Snapping is without effect on a CUSTOM initial approximation and on contours. M is then the
-   * snapped mesh: levels enclose the snapped mesh, and the last level is the snapped mesh. The
-   * array `SnapDistance` of the field data has the largest distance that a point has been moved. If
-   * a mesh has many details that are smaller than the tolerance, only a finer grid can be used, or
-   * none.
+   * get other triangles, but no point is moved. Snapping is without effect on a CUSTOM initial
+   * approximation and on contours. M is then the snapped mesh: levels enclose the snapped mesh, and
+   * the last level is the snapped mesh. The array `SnapDistance` of the field data has the largest
+   * distance by which a point was moved, or of a new triangle from the given ones. If a mesh has
+   * many details that are smaller than the tolerance, only a finer grid can be used, or none.
    *
    * Range 0 to 1. The default, 1e-12, removes roundings: points that should be in one plane or in
    * one place, and crossings closer than TetGen can tell apart. Points in single precision stay

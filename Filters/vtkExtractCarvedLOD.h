@@ -88,8 +88,9 @@ public:
    * the decimated steps that were best for the carver's targets, collapse by collapse, so that
    * numbers of vertices and triangles between those targets are reached, too. `Error` is then NaN,
    * except at the carver's targets. ERROR_BOUND gives the coarsest level that was made within the
-   * bound, or if there is none, a step of the carving as it is. What is not stored gives the
-   * closest level, and a warning. Without effect on contours.
+   * bound, or if there is none, the first carved step within the bound that is no earlier than any
+   * simplified level's. What is not stored gives the closest level, and a warning. Without effect
+   * on contours.
    */
   vtkSetClampMacro(LevelSimplification, int, SUBSET, ENCLOSING_COLLAPSE);
   vtkGetMacro(LevelSimplification, int);

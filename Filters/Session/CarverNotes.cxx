@@ -57,8 +57,9 @@ void DescribeDecomposition(
   if (reply.SnapDistance > 0.0)
   {
     std::ostringstream text;
-    text << "The mesh was snapped: no point was moved farther than " << reply.SnapDistance
-         << ". Levels enclose the snapped mesh.";
+    text
+      << "The mesh was snapped: points were moved, or flat parts got other triangles, by at most "
+      << reply.SnapDistance << ". Levels enclose the snapped mesh.";
     notes.push_back(text.str());
   }
   const carving::Tetrahedralization& result = reply.Result;

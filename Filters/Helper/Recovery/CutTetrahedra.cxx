@@ -22,8 +22,8 @@ namespace
 using Cell = PiercedMesh::Cell;
 using Pairs = std::vector<std::pair<int, int>>;
 
-/** Changes that cutting may try: they take about eight seconds. */
-constexpr std::size_t MaximumCuts = 1500000;
+/** Changes that cutting may try: they take some eight seconds. */
+constexpr std::size_t MaximumCuts = 1450000;
 constexpr double LeastYield = 0.0025; ///< of M's area; 100,000 changes take half a second
 
 CutTetrahedra Tetrahedralize(
